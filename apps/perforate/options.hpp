@@ -1,0 +1,108 @@
+#pragma once
+
+#include "ogive/core/error.hpp"
+#include "ogive/core/symmetry.hpp"
+#include "ogive/fem/projectile_shape.hpp"
+#include "ogive/material/equation_of_state.hpp"
+#include "ogive/perforation/case.hpp"
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+/// \file
+/// What a user can choose for a run of `perforate`, from the command line and from a TOML file.
+
+namespace perforate {
+
+using ogive::Extent;
+using ogive::Lattice;
+using ogive::Nose;
+using ogive::PressureLaw;
+
+enum class PlateMaterial {
+  weldox_460e,     ///< steel
+  aa5083_h116,     ///< aluminium: plates of 15, 20 and 30 mm
+  aa5083_h116_25mm ///< aluminium: the weaker plate of 25 mm
+};
+enum class FlowModel { mjc, jc };
+enum class ProjectileKind { deformable, rigid };
+enum class SphForm { renormalised, standard };
+enum class SphKernel { cubic_spline, wendland_c2 };
+enum class Smoothing { constant, variable };
+enum class ElementRule { one_point, selective_reduced };
+
+/// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
+struct Options {
+  PlateMaterial material = PlateMaterial::weldox_460e;
+  FlowModel model = FlowModel::mjc;
+  double thickness_mm = 12;
+  double clamp_radius_mm = 250;
+
+  Nose nose = Nose::blunt;
+  ProjectileKind projectile = ProjectileKind::deformable;
+  double velocity_mps = 303.5;
+  double friction = 0;     ///< Coulomb; parse() takes default_friction() where none is given
+  double end_us = 200;     ///< parse() takes default_end_us() where none is given
+
+  double spacing_mm = 0.6;
+  double sph_radius_mm = 24;
+  Extent extent = Extent::quarter;
+  Lattice lattice = Lattice::cubic;
+  SphForm form = SphForm::renormalised;
+  SphKernel kernel = SphKernel::cubic_spline;
+  Smoothing smoothing = Smoothing::constant;
+  ElementRule element = ElementRule::one_point;
+  PressureLaw pressure = PressureLaw::linear;
+
+  std::filesystem::path out = "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps"; ///< default_out() where none is given
+  double output_every_us = 5;
+  bool vtk = true;     ///< write VTK files
+  bool picture = true; ///< draw the section picture
+  bool quiet = false;  ///< no progress on the terminal
+  std::optional<int> threads; ///< unset: as many as OpenMP offers
+
+  bool operator==(const Options &) const = default;
+};
+
+/// Radius of all projectiles of the paper, mm.
+inline constexpr double projectile_radius_mm = 10;
+
+/// Most particles that a run may have.
+inline constexpr double most_particles = 50e6;
+
+/// Coulomb friction of the paper: 0 for blunt noses; for the others 0.08 on steel and 0.02 on aluminium. The paper gives
+/// it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the rest follows the plate.
+double default_friction(Nose nose, PlateMaterial material);
+
+/// Time at which a run ends, us: sharp noses take longer to pass the plate. Our choice.
+double default_end_us(Nose nose);
+
+/// vtk_out/<material>_<model>_<nose>_<thickness>mm_<velocity>mps
+std::filesystem::path default_out(const Options &options);
+
+/// Number of particles that a case will have, up to the edge of the disc.
+double estimated_particles(const Options &options);
+
+/// Reads the command line (argv[0] is skipped) and the TOML file that --config names; the command line wins. Returns
+/// nothing if --help or --version was asked for and has been written to `text`. Throws ogive::SetupError, one line that
+/// names the option (or file, line and key), the value and what is allowed. Touches no file but --config's.
+std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text);
+
+/// A TOML file that runs the same case with --config.
+std::string to_toml(const Options &options);
+
+/// The text of --help.
+std::string help();
+
+/// Creates the folder `options.out` and proves with a small file of its own, removed at once, that it can be written to
+/// and has room for the run. Leaves what is there untouched. Throws ogive::SetupError, one line, and then leaves no new
+/// folder behind.
+void prepare_out(const Options &options);
+
+/// The names of the choices, as the user writes them.
+std::string name_of(PlateMaterial material);
+std::string name_of(FlowModel model);
+
+} // namespace perforate

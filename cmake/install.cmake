@@ -1,0 +1,24 @@
+# Headers, targets and the CMake package `ogive` with the optional components `vtk` and `vtk_render`.
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ogive")
+
+foreach(target IN ITEMS ogive ogive_vtk ogive_vtk_render)
+  if(TARGET ${target})
+    install(TARGETS ${target} EXPORT ${target} FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+    install(
+      EXPORT ${target}
+      NAMESPACE ogive::
+      FILE ${target}_targets.cmake
+      DESTINATION "${package_dir}")
+  endif()
+endforeach()
+
+configure_package_config_file(cmake/ogive-config.cmake.in ogive-config.cmake INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file(ogive-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ogive-config.cmake" "${CMAKE_CURRENT_BINARY_DIR}/ogive-config-version.cmake"
+        DESTINATION "${package_dir}")
+
+if(TARGET perforate)
+  install(TARGETS perforate RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()

@@ -1,0 +1,63 @@
+# The header-only targets: ogive::ogive, ogive::vtk (files) and ogive::vtk_render (pictures). The two VTK targets exist
+# where VTK was found.
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+
+# Without COMPONENTS the search would ask for everything that VTK was built with.
+set(ogive_vtk_components CommonCore CommonDataModel IOXML)
+set(ogive_vtk_render_components
+    FiltersGeneral
+    FiltersGeometry
+    IOImage
+    RenderingAnnotation
+    RenderingCore
+    RenderingFreeType
+    RenderingOpenGL2)
+find_package(VTK 9 QUIET COMPONENTS ${ogive_vtk_components} OPTIONAL_COMPONENTS ${ogive_vtk_render_components})
+
+# Headers say by their name which target they belong to.
+file(GLOB_RECURSE all_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/ogive/*.hpp")
+set(core_headers ${all_headers})
+list(FILTER core_headers EXCLUDE REGEX "/io/(vtk|section_)")
+set(vtk_headers ${all_headers})
+list(FILTER vtk_headers INCLUDE REGEX "/io/vtk")
+set(vtk_render_headers ${all_headers})
+list(FILTER vtk_render_headers INCLUDE REGEX "/io/section_")
+
+# ogive_header_library(<name> <headers>...) adds the target ogive::<name> with its own headers, which the targets of
+# VERIFY_INTERFACE_HEADER_SETS compile one by one.
+function(ogive_header_library name)
+  if(name STREQUAL "ogive")
+    set(target ogive)
+  else()
+    set(target ogive_${name})
+  endif()
+  add_library(${target} INTERFACE)
+  add_library(ogive::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
+  target_sources(
+    ${target}
+    INTERFACE FILE_SET
+              HEADERS
+              BASE_DIRS
+              "${PROJECT_SOURCE_DIR}/include"
+              FILES
+              ${ARGN})
+endfunction()
+
+ogive_header_library(ogive ${core_headers})
+target_compile_features(ogive INTERFACE cxx_std_20)
+target_link_libraries(ogive INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX)
+
+if(VTK_FOUND)
+  ogive_header_library(vtk ${vtk_headers})
+  list(TRANSFORM ogive_vtk_components PREPEND VTK:: OUTPUT_VARIABLE modules)
+  target_link_libraries(ogive_vtk INTERFACE ogive ${modules})
+endif()
+
+if(VTK_FOUND AND VTK_RenderingOpenGL2_FOUND)
+  ogive_header_library(vtk_render ${vtk_render_headers})
+  list(TRANSFORM ogive_vtk_render_components PREPEND VTK:: OUTPUT_VARIABLE modules)
+  target_link_libraries(ogive_vtk_render INTERFACE ogive_vtk ${modules} ${CMAKE_DL_LIBS})
+endif()

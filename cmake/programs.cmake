@@ -1,0 +1,21 @@
+# Flags of ogive's own programs. They stay out of ogive::ogive: a user's flags are the user's.
+add_library(ogive_flags INTERFACE)
+target_compile_options(
+  ogive_flags
+  INTERFACE -Wall
+            -Wextra
+            # NaN and infinity keep their meaning: the library tests for them. Nothing here reads errno or FP traps.
+            -fno-math-errno
+            -fno-trapping-math
+            # GCC 12 warns of overlaps in std::string that are none (GCC bug 105651).
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+            $<$<BOOL:${OGIVE_NATIVE}>:-march=native>
+            $<$<BOOL:${OGIVE_VECTOR_WIDTH}>:-mprefer-vector-width=${OGIVE_VECTOR_WIDTH}>)
+
+# ogive_program(<target> SOURCES <file>... LIBRARIES <target>...) adds an executable with those flags.
+function(ogive_program target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE ogive_flags ogive::ogive ${arg_LIBRARIES})
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
+endfunction()

@@ -1,0 +1,139 @@
+#pragma once
+
+#include "ogive/contact/closest_point.hpp"
+#include "ogive/contact/search.hpp"
+#include "ogive/core/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ogive {
+
+/// Where and how deep a slave touches the surface.
+template <class T> struct Touch {
+  Index facet = -1; ///< -1: no contact
+  std::array<T, 4> weights{};
+  Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface
+  T depth{};                           ///< m, positive where the slave's sphere enters the surface
+};
+
+/// Closest point of the candidate facets to slave `a` of the active list. At an edge or corner the direction is that from
+/// the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
+template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
+  const Index slave = contact.active[a];
+  const Vec3<T> p = nodes.position[contact.slaves[slave]];
+  const T offset = contact.offset[slave];
+  T limit = offset + contact.search_margin;
+  FacetPoint<T> best;
+  T best_alignment{};
+  Index facet = -1;
+  for (Index k = contact.candidate_begin[a]; k < contact.candidate_begin[a + 1]; ++k) {
+    const Index f = contact.candidates[k];
+    if ((p - contact.facet_middle[f]).norm() > limit + contact.facet_radius[f]) continue;
+    std::array<Vec3<T>, 4> corner;
+    for (int c = 0; c < 4; ++c) corner[c] = nodes.position[contact.facets[f].nodes[c]];
+    const FacetPoint<T> point = closest_on_facet(p, corner);
+    const T alignment = std::abs(point.normal.dot(p - point.position));
+    const T tie = T(1e-6) * (best.distance_squared + point.distance_squared);
+    if (facet < 0 || point.distance_squared < best.distance_squared - tie ||
+        (point.distance_squared <= best.distance_squared + tie && alignment > best_alignment)) {
+      best = point;
+      best_alignment = alignment;
+      facet = f;
+      limit = std::min(limit, std::sqrt(point.distance_squared) * T(1.001));
+    }
+  }
+  if (facet < 0) return {};
+  const Vec3<T> gap = p - best.position;
+  const T distance = std::sqrt(best.distance_squared);
+  const bool outside = best.normal.dot(gap) >= T(0);
+  const T depth = outside ? offset - distance : offset + distance;
+  if (depth <= T(0) || (!outside && distance > contact.search_margin)) return {};
+  Vec3<T> direction = best.normal;
+  if (distance > T(1e-3) * contact.facet_radius[facet]) direction = (outside ? T(1) : T(-1)) / distance * gap;
+  const T near = T(1e-6) * contact.facet_radius[facet];
+  if (contact.symmetry.x && std::abs(best.position[0]) < near) direction[0] = T(0);
+  if (contact.symmetry.y && std::abs(best.position[1]) < near) direction[1] = T(0);
+  const T length = direction.norm();
+  if (length < T(0.1)) return {};
+  return {facet, best.weights, direction / length, depth};
+}
+
+/// Velocity of the slave relative to the facet's point, m/s.
+template <class T>
+Vec3<T> relative_velocity(const Nodes<T> &nodes, Index slave, const Facet &facet, const std::array<T, 4> &weights) {
+  Vec3<T> v = nodes.velocity[slave];
+  for (int c = 0; c < 4; ++c) v -= weights[c] * nodes.velocity[facet.nodes[c]];
+  return v;
+}
+
+/// Penalty force k depth with k = stiffness m/dt^2, and Coulomb friction, at most sticking m |v_t|/dt.
+template <class T>
+ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &options, const Vec3<T> &velocity, T mass,
+                              T time_step) {
+  ContactForce<T> c{touch.facet, touch.weights, Vec3<T>::Zero(), Vec3<T>::Zero()};
+  const T pressing = options.stiffness * mass / (time_step * time_step) * touch.depth;
+  c.normal = pressing * touch.direction;
+  const Vec3<T> sliding = velocity - velocity.dot(touch.direction) * touch.direction;
+  const T speed = sliding.norm();
+  if (options.friction > T(0) && speed > T(0))
+    c.friction = -std::min(options.friction * pressing / speed, options.sticking * mass / time_step) * sliding;
+  return c;
+}
+
+/// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come is
+/// `next`) to the ledger
+/// (trapezoidal rule between the forces before and now).
+template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt, T next) {
+  if (is_search_due(contact, nodes)) search(contact, nodes);
+  if (contact.reference_time_step == T(0)) contact.reference_time_step = next;
+  parallel_for(static_cast<Index>(contact.facets.size()), [&](Index f) {
+    Vec3<T> middle = Vec3<T>::Zero();
+    for (Index n : contact.facets[f].nodes) middle += T(0.25) * nodes.position[n];
+    T r2{};
+    for (Index n : contact.facets[f].nodes) r2 = std::max(r2, (nodes.position[n] - middle).squaredNorm());
+    contact.facet_middle[f] = middle;
+    contact.facet_radius[f] = std::sqrt(r2);
+  });
+
+  parallel_for(static_cast<Index>(contact.active.size()), [&](Index a) {
+    const Index s = contact.active[a], node = contact.slaves[s];
+    const ContactForce<T> before = contact.forces[s];
+    ContactForce<T> now;
+    if (const Touch<T> touch = find_touch(contact, nodes, a); touch.facet >= 0) {
+      const Facet &facet = contact.facets[touch.facet];
+      T facet_mass{};
+      for (Index n : facet.nodes) facet_mass = std::max(facet_mass, nodes.mass[n]);
+      now = contact_force(touch, contact.options, relative_velocity(nodes, node, facet, touch.weights),
+                          std::min(contact.slave_mass[s], facet_mass), contact.reference_time_step);
+    }
+    const ContactForce<T> &at = now.facet >= 0 ? now : before;
+    if (at.facet >= 0) {
+      const Vec3<T> v = relative_velocity(nodes, node, contact.facets[at.facet], at.weights);
+      contact.normal_energy[s] -= T(0.5) * dt * v.dot(before.normal + now.normal);
+      contact.friction_energy[s] -= T(0.5) * dt * v.dot(before.friction + now.friction);
+    }
+    contact.forces[s] = now;
+    nodes.force[node] += now.normal + now.friction;
+  });
+
+  // Masters share nodes; the slaves in contact are few, so one thread hands over their reactions in a fixed order.
+  for (Index s : contact.active) {
+    const ContactForce<T> &c = contact.forces[s];
+    if (c.facet < 0) continue;
+    const Vec3<T> reaction = c.normal + c.friction;
+    for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
+  }
+}
+
+/// Work taken by the penalty springs, J.
+template <class T> T normal_energy(const NodeToSurface<T> &c) {
+  return ordered_sum(static_cast<Index>(c.slaves.size()), T(0), [&](Index s) { return c.normal_energy[s]; });
+}
+
+/// Work taken by friction, J.
+template <class T> T friction_energy(const NodeToSurface<T> &c) {
+  return ordered_sum(static_cast<Index>(c.slaves.size()), T(0), [&](Index s) { return c.friction_energy[s]; });
+}
+
+} // namespace ogive

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "ogive/core/nodes.hpp"
+#include "ogive/core/symmetry.hpp"
+#include "ogive/fem/hex_mesh.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace ogive {
+
+/// Penalty and friction of a contact.
+template <class T> struct ContactOptions {
+  T friction = T(0);        ///< Coulomb's coefficient
+  T stiffness = T(0.1);     ///< penalty stiffness over m/dt^2
+  T sticking = T(0.3);      ///< largest friction force over m |v_t|/dt
+};
+
+/// What acts on one slave node.
+template <class T> struct ContactForce {
+  Index facet = -1;                     ///< the facet touched last; -1: none yet
+  std::array<T, 4> weights{};           ///< of the facet's nodes
+  Vec3<T> normal = Vec3<T>::Zero();     ///< normal force on the slave, N
+  Vec3<T> friction = Vec3<T>::Zero();   ///< friction force on the slave, N
+};
+
+/// Nodes against facets: slave nodes (particles as spheres of radius `offset`) may not enter the surface that the master
+/// facets make up. Penalty with Coulomb friction; the reaction goes to the facet's nodes.
+template <class T> struct NodeToSurface {
+  std::string name;
+  ContactOptions<T> options{};
+  SymmetryPlanes symmetry{};
+  std::vector<Index> slaves;    ///< node numbers
+  std::vector<T> offset;        ///< m, one for each slave
+  std::vector<T> slave_mass;    ///< kg
+  std::vector<Facet> facets;    ///< masters, outward
+  T reference_time_step{};      ///< s, of the stiffness; set by the first step
+  std::vector<ContactForce<T>> forces;  ///< one for each slave
+  std::vector<T> normal_energy;         ///< J, work taken by the penalty springs, one for each slave
+  std::vector<T> friction_energy;       ///< J, one for each slave
+
+  T search_margin{};                    ///< m, how far slave and facet may approach before the next search
+  std::vector<Vec3<T>> searched_at;     ///< positions of all nodes at the last search, m
+  std::vector<Index> active;            ///< slaves that have candidates
+  std::vector<Index> candidate_begin;   ///< for each active slave, and the end
+  std::vector<Index> candidates;        ///< facets
+  std::vector<Vec3<T>> facet_middle;    ///< m, of this step
+  std::vector<T> facet_radius;          ///< m, around the middle, of this step
+};
+
+/// Makes a contact of `slaves` (with an offset each, m) against `facets`. Throws SetupError for a slave without mass (make
+/// contacts before ties), for a negative friction, and if a slave is a node of a facet.
+template <class T>
+NodeToSurface<T> make_contact(const Nodes<T> &nodes, std::vector<Index> slaves, std::vector<T> offset,
+                              std::vector<Facet> facets, std::string name, ContactOptions<T> options = {},
+                              SymmetryPlanes symmetry = {}) {
+  require(options.friction >= T(0) && std::isfinite(options.friction), name + " friction", options.friction,
+          "must not be negative");
+  require(offset.size() == slaves.size(), name + " offsets", offset.size(), "there must be one for each slave");
+  require(!facets.empty(), name + " facets", 0, "there must be at least one");
+  NodeToSurface<T> c;
+  c.name = std::move(name);
+  c.options = options;
+  c.symmetry = symmetry;
+  std::vector<bool> is_master(nodes.position.size(), false);
+  T edge{};
+  for (const Facet &f : facets) {
+    for (Index n : f.nodes) is_master[n] = true;
+    edge = std::max(edge, (nodes.position[f.nodes[0]] - nodes.position[f.nodes[1]]).norm());
+  }
+  T smallest = edge;
+  for (const Facet &f : facets)
+    for (int k = 0; k < 4; ++k)
+      smallest = std::min(smallest, (nodes.position[f.nodes[k]] - nodes.position[f.nodes[(k + 1) % 4]]).norm());
+  for (T o : offset) c.search_margin = std::max(c.search_margin, T(1.5) * o);
+  c.search_margin = std::max(c.search_margin, smallest);
+  for (Index s : slaves) {
+    require(nodes.mass[s] > T(0), c.name + " mass of slave node " + std::to_string(s), nodes.mass[s],
+            "must be positive (make contacts before ties)");
+    require(!is_master[s], c.name + " slave node", s, "must not belong to a facet");
+    c.slave_mass.push_back(nodes.mass[s]);
+  }
+  c.forces.resize(slaves.size());
+  c.normal_energy.assign(slaves.size(), T(0));
+  c.friction_energy.assign(slaves.size(), T(0));
+  c.slaves = std::move(slaves);
+  c.offset = std::move(offset);
+  c.facets = std::move(facets);
+  c.facet_middle.resize(c.facets.size());
+  c.facet_radius.resize(c.facets.size());
+  return c;
+}
+
+} // namespace ogive

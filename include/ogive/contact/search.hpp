@@ -1,0 +1,115 @@
+#pragma once
+
+#include "ogive/contact/node_to_surface.hpp"
+#include "ogive/sph/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ogive {
+
+/// An axis-aligned box, m.
+template <class T> struct Box {
+  Vec3<T> low = Vec3<T>::Constant(T(1e30));
+  Vec3<T> high = Vec3<T>::Constant(T(-1e30));
+};
+
+template <class T> void extend(Box<T> &box, const Vec3<T> &p) {
+  box.low = box.low.cwiseMin(p);
+  box.high = box.high.cwiseMax(p);
+}
+
+/// Box around a facet, grown by `margin` (m).
+template <class T> Box<T> facet_box(const Facet &facet, const Nodes<T> &nodes, T margin) {
+  Box<T> box;
+  for (Index n : facet.nodes) extend(box, nodes.position[n]);
+  box.low.array() -= margin;
+  box.high.array() += margin;
+  return box;
+}
+
+template <class T> bool is_inside(const Box<T> &box, const Vec3<T> &p) {
+  return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
+}
+
+/// True if a slave and a facet may have come closer by more than the search margin since the last search.
+template <class T> bool is_search_due(const NodeToSurface<T> &contact, const Nodes<T> &nodes) {
+  if (contact.searched_at.size() != nodes.position.size()) return true;
+  const auto moved_box = [&](Index count, auto &&node_of) {
+    return ordered_fold(
+        count, Box<T>{},
+        [&](Index i) {
+          const Vec3<T> u = nodes.position[node_of(i)] - contact.searched_at[node_of(i)];
+          return Box<T>{u, u};
+        },
+        [](const Box<T> &a, const Box<T> &b) { return Box<T>{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; });
+  };
+  Box<T> moved = moved_box(static_cast<Index>(contact.slaves.size()), [&](Index i) { return contact.slaves[i]; });
+  const Box<T> masters = moved_box(static_cast<Index>(contact.facets.size()) * 4,
+                                   [&](Index i) { return contact.facets[i / 4].nodes[i % 4]; });
+  extend(moved, masters.low), extend(moved, masters.high);
+  const T relative = (moved.high - moved.low).norm();
+  return std::isfinite(relative) && relative > contact.search_margin;
+}
+
+/// Finds, for each slave, the facets it can touch before the next search.
+template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
+  contact.searched_at = nodes.position;
+  contact.active.clear();
+  contact.candidate_begin.clear();
+  contact.candidates.clear();
+
+  T largest_offset{};
+  for (T o : contact.offset) largest_offset = std::max(largest_offset, o);
+  const T reach = largest_offset + contact.search_margin;
+  Box<T> surface;
+  for (const Facet &f : contact.facets) {
+    const Box<T> box = facet_box(f, nodes, reach);
+    extend(surface, box.low), extend(surface, box.high);
+  }
+  std::vector<Index> near;
+  std::vector<Vec3<T>> near_position;
+  for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s)
+    if (const Vec3<T> &p = nodes.position[contact.slaves[s]]; is_inside(surface, p)) {
+      near.push_back(s);
+      near_position.push_back(p);
+    }
+  if (!near.empty()) {
+    const CellGrid<T> grid = sort_into_cells(near_position, reach);
+    struct Pair {
+      Index slave, facet;
+    };
+    std::vector<Pair> pairs;
+    for (Index f = 0; f < static_cast<Index>(contact.facets.size()); ++f) {
+      const Box<T> box = facet_box(contact.facets[f], nodes, reach);
+      std::array<Index, 3> c0, c1;
+      for (int d = 0; d < 3; ++d) {
+        const auto cell = [&](T x) {
+          return static_cast<Index>(std::clamp((x - grid.origin[d]) * grid.inverse_size, T(-1), T(grid.cells[d])));
+        };
+        c0[d] = std::max(cell(box.low[d]), Index(0));
+        c1[d] = std::min(cell(box.high[d]), grid.cells[d] - 1);
+      }
+      for (Index cz = c0[2]; cz <= c1[2]; ++cz)
+        for (Index cy = c0[1]; cy <= c1[1]; ++cy) {
+          const Index line = grid.cells[0] * (cy + grid.cells[1] * cz);
+          if (c0[0] > c1[0]) continue;
+          for (Index k = grid.cell_begin[line + c0[0]]; k < grid.cell_begin[line + c1[0] + 1]; ++k)
+            if (is_inside(box, Vec3<T>(grid.x[k], grid.y[k], grid.z[k]))) pairs.push_back({near[grid.order[k]], f});
+        }
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) {
+      return a.slave != b.slave ? a.slave < b.slave : a.facet < b.facet;
+    });
+    for (const Pair &p : pairs) {
+      if (contact.active.empty() || contact.active.back() != p.slave) {
+        contact.active.push_back(p.slave);
+        contact.candidate_begin.push_back(static_cast<Index>(contact.candidates.size()));
+      }
+      contact.candidates.push_back(p.facet);
+    }
+  }
+  contact.candidate_begin.push_back(static_cast<Index>(contact.candidates.size()));
+}
+
+} // namespace ogive

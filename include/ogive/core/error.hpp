@@ -1,0 +1,23 @@
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace ogive {
+
+/// Wrong input found while a model is set up. `what()` is one line that names the thing, the value and what is allowed.
+struct SetupError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws a SetupError "<thing> = <value>: <allowed>" unless `ok`.
+template <class Value> void require(bool ok, std::string_view thing, const Value &value, std::string_view allowed) {
+  if (ok) return;
+  std::ostringstream line;
+  line << thing << " = " << value << ": " << allowed;
+  throw SetupError(line.str());
+}
+
+} // namespace ogive

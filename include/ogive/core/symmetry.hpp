@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ogive/core/nodes.hpp"
+
+#include <cmath>
+
+namespace ogive {
+
+/// How much of the round model is computed.
+enum class Extent { full, half, quarter };
+
+/// Mirror planes x = 0 and y = 0 (the planes yz and xz). A half model has the plane y = 0, a quarter model both.
+struct SymmetryPlanes {
+  bool x = false; ///< mirror plane x = 0
+  bool y = false; ///< mirror plane y = 0
+  /// Copies of the model that make up the whole: 1, 2 or 4.
+  int copies() const { return (x ? 2 : 1) * (y ? 2 : 1); }
+};
+
+/// The mirror planes of an extent.
+inline SymmetryPlanes symmetry_planes(Extent extent) {
+  return {extent == Extent::quarter, extent != Extent::full};
+}
+
+/// Holds the nodes that lie in a mirror plane in the direction normal to it. `tolerance` in m.
+template <class T> void hold_on_planes(Nodes<T> &nodes, NodeRange range, SymmetryPlanes planes, T tolerance) {
+  for (Index n = range.begin; n < range.end; ++n) {
+    if (planes.x && std::abs(nodes.position[n][0]) <= tolerance) nodes.held[n] |= held_x;
+    if (planes.y && std::abs(nodes.position[n][1]) <= tolerance) nodes.held[n] |= held_y;
+  }
+}
+
+} // namespace ogive

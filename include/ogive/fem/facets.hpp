@@ -1,0 +1,96 @@
+#pragma once
+
+#include "ogive/core/symmetry.hpp"
+#include "ogive/fem/hex_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace ogive {
+
+/// Corners of the six faces of a hex, counter-clockwise seen from outside.
+inline constexpr std::array<std::array<int, 4>, 6> hex_faces = {
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+/// The faces that belong to one hex only, in the order of the hexes; their nodes are indices into the mesh.
+template <class T> std::vector<Facet> boundary_facets(const HexMesh<T> &mesh) {
+  struct Face {
+    std::array<Index, 4> sorted;
+    std::size_t place;
+  };
+  std::vector<Face> faces;
+  faces.reserve(6 * mesh.hexes.size());
+  const auto nodes_of = [&](std::size_t place) {
+    std::array<Index, 4> nodes;
+    for (std::size_t k = 0; k < 4; ++k) nodes[k] = mesh.hexes[place / 6][hex_faces[place % 6][k]];
+    return nodes;
+  };
+  for (std::size_t place = 0; place < 6 * mesh.hexes.size(); ++place) {
+    auto sorted = nodes_of(place);
+    std::sort(sorted.begin(), sorted.end());
+    faces.push_back({sorted, place});
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const Face &a, const Face &b) { return std::pair(a.sorted, a.place) < std::pair(b.sorted, b.place); });
+  std::vector<std::size_t> single;
+  for (std::size_t i = 0, next; i < faces.size(); i = next) {
+    for (next = i + 1; next < faces.size() && faces[next].sorted == faces[i].sorted;) ++next;
+    if (next == i + 1) single.push_back(faces[i].place);
+  }
+  std::sort(single.begin(), single.end());
+  std::vector<Facet> facets;
+  facets.reserve(single.size());
+  for (std::size_t place : single) facets.push_back({nodes_of(place), static_cast<Index>(place / 6)});
+  return facets;
+}
+
+/// Area times outward normal, m2.
+template <class T> Vec3<T> area_vector(const Facet &facet, const std::vector<Vec3<T>> &positions) {
+  const Vec3<T> a = positions[facet.nodes[2]] - positions[facet.nodes[0]];
+  const Vec3<T> b = positions[facet.nodes[3]] - positions[facet.nodes[1]];
+  return T(0.5) * cross<T>(a, b);
+}
+
+/// The facets whose four nodes all satisfy `keep(position)`.
+template <class T, class Keep>
+std::vector<Facet> facets_where(const std::vector<Facet> &facets, const std::vector<Vec3<T>> &positions, Keep &&keep) {
+  std::vector<Facet> kept;
+  for (const Facet &facet : facets)
+    if (std::all_of(facet.nodes.begin(), facet.nodes.end(), [&](Index n) { return keep(positions[n]); }))
+      kept.push_back(facet);
+  return kept;
+}
+
+/// The facets that do not lie in a mirror plane. `tolerance` in m.
+template <class T>
+std::vector<Facet> facets_off_planes(const std::vector<Facet> &facets, const std::vector<Vec3<T>> &positions,
+                                     SymmetryPlanes planes, T tolerance) {
+  std::vector<Facet> kept;
+  const auto lies_in = [&](const Facet &facet, int axis) {
+    return std::all_of(facet.nodes.begin(), facet.nodes.end(),
+                       [&](Index n) { return std::abs(positions[n][axis]) <= tolerance; });
+  };
+  for (const Facet &facet : facets)
+    if (!(planes.x && lies_in(facet, 0)) && !(planes.y && lies_in(facet, 1))) kept.push_back(facet);
+  return kept;
+}
+
+/// The facets whose nodes lie on the cylinder of `radius` about the z axis. Lengths in m.
+template <class T>
+std::vector<Facet> facets_on_cylinder(const std::vector<Facet> &facets, const std::vector<Vec3<T>> &positions, T radius,
+                                      T tolerance) {
+  return facets_where(facets, positions,
+                      [&](const Vec3<T> &p) { return std::abs(std::hypot(p[0], p[1]) - radius) <= tolerance; });
+}
+
+/// The facets with `node_offset` added to their nodes: from indices into a mesh to indices into Nodes.
+inline std::vector<Facet> shifted(std::vector<Facet> facets, Index node_offset) {
+  for (Facet &facet : facets)
+    for (Index &n : facet.nodes) n += node_offset;
+  return facets;
+}
+
+} // namespace ogive

@@ -1,0 +1,183 @@
+#pragma once
+
+#include "ogive/core/nodes.hpp"
+#include "ogive/core/parallel.hpp"
+#include "ogive/fem/hex8.hpp"
+#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/fem/hourglass.hpp"
+#include "ogive/fem/mesh_check.hpp"
+#include "ogive/material/metal.hpp"
+#include "ogive/material/points.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ogive {
+
+/// One material point in the middle, hourglass control (Flanagan & Belytschko 1981).
+struct OnePoint {
+  static constexpr int points = 1;
+};
+
+/// 2x2x2 material points, dilatation averaged over the element (B-bar, Hughes 1980). It needs no hourglass control.
+struct SelectiveReduced {
+  static constexpr int points = 8;
+};
+
+/// Numerical resistance of hexes.
+template <class T> struct HexOptions {
+  T hourglass_stiffness = T(0.1);      ///< Flanagan-Belytschko, fraction of the element's own stiffness
+  T hourglass_viscosity = T(0);        ///< fraction of the element's acoustic impedance
+  T linear_bulk_viscosity = T(0.06);   ///< in compression only
+  T quadratic_bulk_viscosity = T(1.5); ///< in compression only
+};
+
+/// For each node of a body, the element corners that meet there: `corners[begin[n]]` to `corners[begin[n + 1]]` of the
+/// n-th node of the body, each 8 * hex + corner.
+struct CornersOfNodes {
+  std::vector<Index> begin;
+  std::vector<Index> corners;
+};
+
+/// A body of eight-node hexes. `Rule` is OnePoint or SelectiveReduced. Point p of hex e is material point
+/// e * Rule::points + p. Energies are those of the computed part of the model.
+template <class T, class Law, class Rule = OnePoint> struct HexBody {
+  std::string name;
+  Metal<T, Law> metal;
+  HexOptions<T> options{};
+  NodeRange nodes{};
+  std::vector<std::array<Index, 8>> hexes; ///< corners, indices into Nodes
+  MaterialPoints<T> points;
+  std::vector<T> point_mass;               ///< kg, constant, of each point
+
+  // History, one for each hex.
+  std::vector<HourglassModes<T>> hourglass_force; ///< N, generalised; empty with SelectiveReduced
+  std::vector<T> hourglass_energy;                ///< J
+  std::vector<T> viscous_pressure;                ///< Pa, bulk viscosity
+  std::vector<T> viscous_energy;                  ///< J, work of bulk viscosity
+  std::vector<std::array<T, 8>> corner_mass;      ///< kg, the hex's share of its nodes' masses, mass scaling included
+
+  // Made anew in each step by velocity_gradient and add_internal_force.
+  std::vector<MeanGradient<T>> mean_gradient;
+  std::vector<HourglassMotion<T>> hourglass_motion; ///< empty with SelectiveReduced
+  std::vector<Vec3<T>> corner_force;                ///< N, entry 8 * hex + corner
+  CornersOfNodes corners_of_nodes;
+};
+
+/// Calls `f(name, unit, values)` for each field of the state of a body of hexes that is not a material point's.
+template <class T, class Law, class Rule, class F> void for_each_hex_field(HexBody<T, Law, Rule> &body, F &&f) {
+  f("hourglass_force", "N", body.hourglass_force);
+  f("hourglass_energy", "J", body.hourglass_energy);
+  f("viscous_pressure", "Pa", body.viscous_pressure);
+  f("viscous_energy", "J", body.viscous_energy);
+  f("corner_mass", "kg", body.corner_mass);
+}
+
+/// Values of a node field at the corners of a hex.
+template <class T> Corners<T> gather_corners(const std::vector<Vec3<T>> &field, const std::array<Index, 8> &hex) {
+  Corners<T> values;
+  for (int a = 0; a < 8; ++a) {
+    const Vec3<T> &value = field[hex[a]];
+    values(a, 0) = value[0], values(a, 1) = value[1], values(a, 2) = value[2];
+  }
+  return values;
+}
+
+/// The list of corners that meet at each node of the range.
+inline CornersOfNodes corners_of_nodes(const std::vector<std::array<Index, 8>> &hexes, NodeRange nodes) {
+  CornersOfNodes list;
+  list.begin.assign(nodes.size() + 1, 0);
+  list.corners.resize(8 * hexes.size());
+  for (const auto &hex : hexes)
+    for (Index n : hex) ++list.begin[n - nodes.begin + 1];
+  for (Index n = 0; n < nodes.size(); ++n) list.begin[n + 1] += list.begin[n];
+  std::vector<Index> next(list.begin.begin(), list.begin.end() - 1);
+  for (Index e = 0; e < static_cast<Index>(hexes.size()); ++e)
+    for (Index a = 0; a < 8; ++a) list.corners[next[hexes[e][a] - nodes.begin]++] = 8 * e + a;
+  return list;
+}
+
+/// Adds a mesh (m) to the nodes, at rest, as a body of `metal`. Masses are lumped by row sums: they add up to density
+/// times the exact volume and keep its centre. Throws SetupError if a constant of the metal or an option is out of range
+/// or a hex is inverted.
+template <class Rule = OnePoint, class T, class Law>
+HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, const Metal<T, Law> &metal, std::string name,
+                                   const HexOptions<T> &options = {}) {
+  check(metal);
+  check_mesh(mesh, name);
+  const auto not_negative = [&](T value, const char *thing) {
+    require(value >= T(0) && std::isfinite(value), name + " " + thing, value, "must not be negative");
+  };
+  not_negative(options.hourglass_stiffness, "hourglass stiffness");
+  not_negative(options.hourglass_viscosity, "hourglass viscosity");
+  not_negative(options.linear_bulk_viscosity, "linear bulk viscosity");
+  not_negative(options.quadratic_bulk_viscosity, "quadratic bulk viscosity");
+
+  HexBody<T, Law, Rule> body;
+  body.name = std::move(name);
+  body.metal = metal;
+  body.options = options;
+  body.nodes = add_nodes(nodes, mesh.positions);
+  body.hexes = mesh.hexes;
+  for (auto &hex : body.hexes)
+    for (Index &n : hex) n += body.nodes.begin;
+
+  const Index count = static_cast<Index>(body.hexes.size());
+  fill(body.points, count * Rule::points, initial_point(metal));
+  body.point_mass.resize(body.points.size());
+  body.hourglass_energy.assign(count, T(0));
+  body.viscous_pressure.assign(count, T(0));
+  body.viscous_energy.assign(count, T(0));
+  body.corner_mass.resize(count);
+  body.mean_gradient.resize(count);
+  body.corner_force.assign(8 * count, Vec3<T>::Zero());
+  body.corners_of_nodes = corners_of_nodes(body.hexes, body.nodes);
+  if constexpr (Rule::points == 1) {
+    body.hourglass_force.assign(count, HourglassModes<T>::Zero());
+    body.hourglass_motion.resize(count);
+  }
+
+  for (Index e = 0; e < count; ++e) {
+    const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
+    body.mean_gradient[e] = mean_gradient<T>(x);
+    const CornerWeights<T> share = metal.density * lumped_volumes<T>(x);
+    for (int a = 0; a < 8; ++a) {
+      body.corner_mass[e][a] = share[a];
+      nodes.mass[body.hexes[e][a]] += share[a];
+    }
+    for (int p = 0; p < Rule::points; ++p) {
+      const T volume = Rule::points == 1 ? body.mean_gradient[e].volume : point_gradient<T>(x, p).volume;
+      body.point_mass[e * Rule::points + p] = metal.density * volume;
+    }
+  }
+  return body;
+}
+
+/// Energy that the stress has taken up, J: elastic, plastic and heat.
+template <class T, class Law, class Rule> T internal_energy(const HexBody<T, Law, Rule> &body) {
+  return ordered_sum(body.points.size(), T(0),
+                     [&](Index i) { return body.point_mass[i] * body.points.internal_energy[i]; });
+}
+
+/// Work of the hourglass forces, J.
+template <class T, class Law, class Rule> T hourglass_energy(const HexBody<T, Law, Rule> &body) {
+  return ordered_sum(static_cast<Index>(body.hexes.size()), T(0), [&](Index e) { return body.hourglass_energy[e]; });
+}
+
+/// Work of the bulk viscosity, J.
+template <class T, class Law, class Rule> T viscous_energy(const HexBody<T, Law, Rule> &body) {
+  return ordered_sum(static_cast<Index>(body.hexes.size()), T(0), [&](Index e) { return body.viscous_energy[e]; });
+}
+
+/// A hex whose volume is not positive: the first one, or -1.
+template <class T, class Law, class Rule> Index first_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
+  const Index count = static_cast<Index>(body.hexes.size());
+  const Index first = parallel_min(count, count, [&](Index e) {
+    return hex_volume<T>(gather_corners(nodes.position, body.hexes[e])) > T(0) ? count : e;
+  });
+  return first == count ? -1 : first;
+}
+
+} // namespace ogive

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "ogive/fem/hex_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// \file
+/// The stable time step of central differences, hex by hex.
+///
+/// A hex with the corner masses m_a has omega_max^2 <= 2 mu s_max + lambda tr S with S = V sum_a b_a b_a^T / m_a and s_max
+/// its largest eigenvalue: the strains of the corner motions b_a (x) g span all that stress resists. For equal masses
+/// (rho V/8) this is (8/rho) [...] of S = sum_a b_a b_a^T. The bound is exact for a flat hex, c/(2 thickness), and for a
+/// cube, whose stiffest mode is the dilatation (3 K instead of lambda + 2 mu: 0.71 times the step edge/c at Poisson's
+/// ratio 0.33). A nodal mass is the sum of its corner masses, so the smallest step of all hexes is safe for the mesh.
+
+namespace ogive {
+
+/// Fraction of the bound that is used: room for hourglass modes of distorted hexes and for the change within a step.
+inline constexpr double hex_courant = 0.9;
+
+/// An upper bound of the largest eigenvalue of a symmetric positive tensor, a few percent above it at most: Newton's
+/// steps on the characteristic polynomial, which come from above.
+template <class T> T largest_eigenvalue_bound(const Sym3<T> &s) {
+  const T mean = trace(s) / T(3);
+  const Sym3<T> d = deviator(s);
+  const T j2 = T(0.5) * double_dot(d, d);
+  const T j3 = determinant<T>(full(d));
+  T t = T(2) * std::sqrt(j2 / T(3));
+  if (!(t > std::numeric_limits<T>::epsilon() * mean)) return mean + t;
+  for (int step = 0; step < 4; ++step) {
+    const T slope = T(3) * t * t - j2;
+    if (!(slope > T(1e-3) * j2)) break;
+    t -= std::max(T(0), (t * t * t - j2 * t - j3) / slope);
+  }
+  return mean + t;
+}
+
+/// sum_a w_a b_a b_a^T of gradients (row a: b_a) with weights w_a.
+template <class T> Sym3<T> gradient_moment(const Corners<T> &b, const CornerWeights<T> &w) {
+  const Corners<T> wb = w.asDiagonal() * b;
+  const Mat3<T> m = b.transpose() * wb;
+  return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)};
+}
+
+/// The stable step of hex e at the latest positions, s, with the damping of bulk and hourglass viscosity.
+/// With SelectiveReduced the deviatoric part is bounded point by point: sum_p 2 mu s_max,p + K tr S.
+template <class T, class Law, class Rule>
+T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
+  const Elasticity<T> &elastic = body.metal.elasticity;
+  const T mu = shear_modulus(elastic), bulk = bulk_modulus(elastic), lambda = bulk - T(2) / T(3) * mu;
+  const T c = sound_speed(body.metal), density = body.points.density[e * Rule::points];
+  CornerWeights<T> inverse_mass;
+  for (int a = 0; a < 8; ++a) inverse_mass[a] = T(1) / body.corner_mass[e][a];
+
+  const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
+  const MeanGradient<T> mean = mean_gradient<T>(x);
+  Sym3<T> S = gradient_moment<T>(mean.integral, inverse_mass);
+  S *= T(1) / mean.volume;
+  T omega_squared;
+  if constexpr (Rule::points == 1) {
+    omega_squared = T(2) * mu * largest_eigenvalue_bound(S) + std::max(lambda, T(0)) * trace(S);
+  } else {
+    omega_squared = bulk * trace(S);
+    for (int p = 0; p < Rule::points; ++p) {
+      const PointGradient<T> point = point_gradient<T>(x, p);
+      omega_squared += T(2) * mu * point.volume * largest_eigenvalue_bound(gradient_moment<T>(point.gradient, inverse_mass));
+    }
+  }
+  const T omega = std::sqrt(omega_squared);
+
+  const HexOptions<T> &options = body.options;
+  const T norm = gradient_norm<T>(mean), length = viscous_length<T>(norm);
+  const T closing = std::max(T(0), -body.points.velocity_gradient[e * Rule::points].trace());
+  T damping = density * length * (options.linear_bulk_viscosity * c + options.quadratic_bulk_viscosity * length * closing) *
+              trace(S);
+  if constexpr (Rule::points == 1)
+    damping += hourglass_resistance<T>(T(0), options.hourglass_viscosity, p_wave_modulus(elastic), density, mean.volume,
+                                       norm)
+                   .viscosity *
+               inverse_mass.maxCoeff();
+  const T ratio = damping / (T(2) * omega);
+  return T(hex_courant) * T(2) / (omega * (std::sqrt(T(1) + ratio * ratio) + ratio));
+}
+
+/// Smallest stable step of all hexes at the latest positions, s.
+template <class T, class Law, class Rule>
+T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
+  return parallel_min(static_cast<Index>(body.hexes.size()), std::numeric_limits<T>::max(),
+                      [&](Index e) { return stable_time_step_of_hex(body, nodes, e); });
+}
+
+/// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and
+/// returns the added mass, kg. Meant for the thin hexes at a sharp tip. Density, stress and energy of the material points
+/// stay as they are.
+template <class T, class Law, class Rule> T raise_time_step(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
+  require(dt > T(0) && std::isfinite(dt), body.name + " time step to raise to (s)", dt, "must be positive");
+  T added = T(0);
+  for (Index e = 0; e < static_cast<Index>(body.hexes.size()); ++e) {
+    const T ratio = dt / stable_time_step_of_hex(body, nodes, e);
+    if (!(ratio > T(1))) continue;
+    for (int a = 0; a < 8; ++a) {
+      const T more = (ratio * ratio - T(1)) * body.corner_mass[e][a];
+      body.corner_mass[e][a] += more;
+      nodes.mass[body.hexes[e][a]] += more;
+      added += more;
+    }
+  }
+  return added;
+}
+
+} // namespace ogive

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "ogive/fem/facets.hpp"
+#include "ogive/fem/grading.hpp"
+#include "ogive/fem/mesh_check.hpp"
+#include "ogive/fem/mirror.hpp"
+#include "ogive/fem/o_grid.hpp"
+#include "ogive/fem/projectile_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+/// \file
+/// Hex meshes of projectiles, tip at z = 0, body at z > 0. Every cross section is an O-grid.
+///
+/// Blunt: hexes of 0.9 to 1.3 times the particle distance in the cross section (1.2 along the rim, which is sharp), a
+/// little less in the four corners of the core; along the axis as long as the particle distance at the face and growing to
+/// a sixth of the diameter towards the tail. Conical and ogival: the cross section shrinks with the nose down to the flat
+/// tip, with fewer hexes across (2.6 times the particle distance along the shank's circumference, 2 times along its
+/// radius) because they all meet at the tip; see raise_time_step for the thin ones there. Hemispherical: the shell of the
+/// O-grid wraps around the front (a cubed sphere) with hexes of 1.4 times the particle distance along the surface, none
+/// of them thin.
+///
+/// Surface nodes lie a little outside of the true circle, such that the polygon has the circle's area: shank and cone
+/// have exactly the analytic volume.
+
+namespace ogive {
+
+/// Outline of the O-grid's core as fractions of the radius: half its width, half its diagonal in the cross section, half
+/// its diagonal in space (where the shell wraps around it). Its sides bulge, so that the hexes at its corners stay well
+/// shaped. The values in use give about the largest stable step.
+template <class T> struct CoreOutline {
+  T side{}, diagonal{}, space_diagonal{};
+};
+
+/// Point of the bulged unit core at the fractions p, q (cross section) and w (towards a wrapped front), in radii.
+template <class T> Vec3<T> core_point(const CoreOutline<T> &core, T p, T q, T w) {
+  const T edge = core.side - core.diagonal / std::sqrt(T(2));
+  const T corner = core.space_diagonal / std::sqrt(T(3)) - core.side + T(2) * edge;
+  const auto along = [&](T t, T u, T v) { return t * (core.side - edge * (u * u + v * v) + corner * u * u * v * v); };
+  return {along(p, q, w), along(q, p, w), along(w, p, q)};
+}
+
+/// Direction in which a point of the core's side or front is projected on the surface: equal angles on a cubed sphere.
+template <class T> Vec3<T> surface_direction(T p, T q, T w) {
+  constexpr T eighth_turn = std::numbers::pi_v<T> / T(4);
+  const auto tangent = [&](T t) { return t == T(1) ? T(1) : std::tan(eighth_turn * t); };
+  const Vec3<T> d(tangent(p), tangent(q), tangent(w));
+  return d / d.norm();
+}
+
+/// Mesh of a projectile for plates with the particle distance `spacing` (m). Throws SetupError for a dimension out of
+/// range or if a hex would be inverted.
+template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T spacing, Extent extent) {
+  check(shape);
+  require(spacing > T(0) && spacing <= shape.diameter / T(4), "particle distance (m)", spacing,
+          "must be positive and at most a quarter of the projectile's diameter");
+  constexpr T eighth_turn = std::numbers::pi_v<T> / T(4);
+  const T radius = shape.diameter / T(2), height = nose_height(shape);
+  const bool wraps = shape.nose == Nose::hemispherical;
+  const bool sharp = shape.nose == Nose::conical || shape.nose == Nose::ogival;
+
+  OGridCounts n;
+  const auto at_least = [](Index least, T value) { return std::max(least, static_cast<Index>(std::lround(value))); };
+  const T edge = spacing * (sharp ? T(2.6) : wraps ? T(1.4) : T(1.2));
+  n.core = at_least(sharp ? 2 : 3, eighth_turn * radius / edge);
+  n.shell = at_least(2, (sharp ? T(0.6) : T(0.45)) * T(n.core));
+  n.covers_front = wraps;
+
+  // Stations of the core: the nose's, then the shank's. In a wrapped nose they follow from the core's shape.
+  std::vector<T> stations = {T(0)};
+  if (sharp) stations = graded_stations(height, spacing, T(1.1), T(2) * spacing);
+  const Index nose_levels = wraps ? n.core : static_cast<Index>(stations.size()) - 1;
+  if (wraps) stations.assign(nose_levels + 1, height);
+  const T longest = std::max(shape.diameter / T(6), T(2) * spacing);
+  const auto shank = graded_stations(shape.shank_length, sharp ? T(2) * spacing : spacing, T(1.1), longest);
+  for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(height + shank[k]);
+  n.along = static_cast<Index>(stations.size()) - 1;
+
+  const CoreOutline<T> core = wraps ? CoreOutline<T>{T(0.52), T(0.73), T(0.80)} : CoreOutline<T>{T(0.62), T(0.78), T(1)};
+  const T polygon_angle = eighth_turn / T(n.core);
+  const T outward = std::sqrt(polygon_angle / std::sin(polygon_angle));
+  const auto fraction = [&](Index i) { return T(i) / T(n.core); };
+  const auto front_fraction = [&](Index k) { return wraps && k < nose_levels ? T(1) - T(k) / T(nose_levels) : T(0); };
+  const auto placed = [&](const Vec3<T> &unit, Index k) {
+    const T scale = wraps ? radius : radius_at(shape, stations[k]);
+    return Vec3<T>(scale * unit[0], scale * unit[1], stations[k] - scale * unit[2]);
+  };
+  const HexMesh<T> quarter = o_grid<T>(
+      n,
+      [&](Index i, Index j, Index k) {
+        return placed(core_point(core, fraction(i), fraction(j), front_fraction(k)), k);
+      },
+      [&](Index i, Index j, Index k) {
+        return placed(outward * surface_direction(fraction(i), fraction(j), front_fraction(k)), k);
+      });
+  HexMesh<T> mesh = extended(quarter, extent);
+  check_mesh(mesh, std::string(name(shape.nose)) + " projectile");
+  return mesh;
+}
+
+/// The outer surface of a projectile mesh, tail included, without the mirror planes of the extent.
+template <class T> std::vector<Facet> contact_facets(const HexMesh<T> &mesh, Extent extent) {
+  return facets_off_planes(boundary_facets(mesh), mesh.positions, symmetry_planes(extent), T(0));
+}
+
+} // namespace ogive

@@ -1,0 +1,153 @@
+#pragma once
+
+#include "ogive/core/error.hpp"
+#include "ogive/core/nodes.hpp"
+#include "ogive/core/types.hpp"
+#include "ogive/material/points.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// \file
+/// A model at one time as output sees it: plain arrays in single precision, copied out of the model. Each field's name
+/// says its unit.
+
+namespace ogive {
+
+/// Values on points or cells, `components` after each other for each. One component is a scalar, three a vector
+/// (x, y, z), six a symmetric tensor (xx, yy, zz, xy, yz, zx).
+struct Field {
+  std::string name; ///< with its unit: "von_mises_MPa"
+  int components = 1;
+  std::vector<float> values;
+};
+
+/// A body of particles.
+struct PointCloud {
+  std::string name;
+  int part = 0;                       ///< number of the body in the model, from 0
+  float diameter = 0;                 ///< particle distance, m
+  std::vector<Vec3<float>> positions; ///< m
+  std::vector<Field> fields;
+};
+
+/// A body of eight-node hexes.
+struct HexGrid {
+  std::string name;
+  int part = 0;                            ///< number of the body in the model, from 0
+  std::vector<Vec3<float>> positions;      ///< m
+  std::vector<std::array<Index, 8>> hexes; ///< corners, indices into positions
+  std::vector<Field> point_fields;
+  std::vector<Field> cell_fields;
+};
+
+/// All bodies of a model at one time.
+struct Frame {
+  double time = 0; ///< s
+  std::vector<PointCloud> clouds;
+  std::vector<HexGrid> grids;
+};
+
+/// The field `name` of the part `part`. Throws SetupError if there is none.
+inline const Field &find_field(const std::vector<Field> &fields, std::string_view name, std::string_view part) {
+  std::string names;
+  for (const Field &field : fields) {
+    if (field.name == name) return field;
+    names += (names.empty() ? "" : ", ") + field.name;
+  }
+  throw SetupError(std::string(part) + " field = " + std::string(name) + ": must be one of " + names);
+}
+
+/// Positions of the nodes of a range, m.
+template <class T> std::vector<Vec3<float>> gather_positions(const Nodes<T> &nodes, NodeRange range) {
+  std::vector<Vec3<float>> positions;
+  positions.reserve(static_cast<std::size_t>(range.size()));
+  for (Index n = range.begin; n < range.end; ++n) positions.push_back(nodes.position[n].template cast<float>());
+  return positions;
+}
+
+/// Field "velocity_m_per_s" of the nodes of a range: half a step older than the positions.
+template <class T> Field gather_velocity(const Nodes<T> &nodes, NodeRange range) {
+  Field field{"velocity_m_per_s", 3, {}};
+  field.values.reserve(3 * static_cast<std::size_t>(range.size()));
+  for (Index n = range.begin; n < range.end; ++n)
+    for (int k = 0; k < 3; ++k) field.values.push_back(static_cast<float>(nodes.velocity[n][k]));
+  return field;
+}
+
+/// The state of material points as fields, a value for every `points_per_value` consecutive points: their mean (von
+/// Mises stress is that of the mean stress). Stress is Cauchy's, positive in tension; pressure is positive in
+/// compression.
+template <class T> std::vector<Field> gather_state(const MaterialPoints<T> &points, Index points_per_value) {
+  std::vector<Field> fields{{"stress_MPa", 6, {}},
+                            {"von_mises_MPa", 1, {}},
+                            {"pressure_MPa", 1, {}},
+                            {"plastic_strain", 1, {}},
+                            {"plastic_strain_rate_per_s", 1, {}},
+                            {"temperature_K", 1, {}},
+                            {"damage", 1, {}},
+                            {"density_kg_per_m3", 1, {}}};
+  const Index values = points_per_value > 0 ? points.size() / points_per_value : 0;
+  for (Field &field : fields) field.values.reserve(static_cast<std::size_t>(values * field.components));
+  const T share = T(1) / static_cast<T>(points_per_value);
+  const T to_MPa = T(1e-6);
+  for (Index v = 0; v < values; ++v) {
+    MaterialPoint<T> mean;
+    for (Index i = v * points_per_value; i < (v + 1) * points_per_value; ++i) {
+      mean.deviator += share * points.deviator[i];
+      mean.pressure += share * points.pressure[i];
+      mean.plastic_strain += share * points.plastic_strain[i];
+      mean.plastic_strain_rate += share * points.plastic_strain_rate[i];
+      mean.temperature += share * points.temperature[i];
+      mean.damage += share * points.damage[i];
+      mean.density += share * points.density[i];
+    }
+    const Sym3<T> s = to_MPa * stress(mean);
+    for (const T component : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx})
+      fields[0].values.push_back(static_cast<float>(component));
+    std::size_t f = 1;
+    for (const T scalar : {to_MPa * von_mises(mean.deviator), to_MPa * mean.pressure, mean.plastic_strain,
+                           mean.plastic_strain_rate, mean.temperature, mean.damage, mean.density})
+      fields[f++].values.push_back(static_cast<float>(scalar));
+  }
+  return fields;
+}
+
+/// A body of particles as a cloud of points.
+template <class T, class Body> PointCloud gather_cloud(const Nodes<T> &nodes, const Body &body, int part) {
+  PointCloud cloud{body.name, part, static_cast<float>(body.spacing), gather_positions(nodes, body.nodes),
+                   gather_state(body.points, 1)};
+  cloud.fields.push_back(gather_velocity(nodes, body.nodes));
+  return cloud;
+}
+
+/// A body of hexes as a grid. Elements with several material points give their mean.
+template <class T, class Body> HexGrid gather_grid(const Nodes<T> &nodes, const Body &body, int part) {
+  const auto hexes = static_cast<Index>(body.hexes.size());
+  HexGrid grid{body.name,
+               part,
+               gather_positions(nodes, body.nodes),
+               body.hexes,
+               {gather_velocity(nodes, body.nodes)},
+               gather_state(body.points, hexes > 0 ? body.points.size() / hexes : 0)};
+  for (auto &corners : grid.hexes)
+    for (Index &corner : corners) corner -= body.nodes.begin;
+  return grid;
+}
+
+/// The bodies of a model as they are now, in the order of the model. A body with hexes becomes a grid, another a cloud.
+template <class M> Frame gather_frame(const M &model) {
+  Frame frame;
+  frame.time = static_cast<double>(model.time);
+  int part = 0;
+  // Found with the model, in sim/model.hpp: pictures of frames alone do not compile contact and ties.
+  for_each_body(model, [&](const auto &body) {
+    if constexpr (requires { body.hexes; }) frame.grids.push_back(gather_grid(model.nodes, body, part++));
+    else frame.clouds.push_back(gather_cloud(model.nodes, body, part++));
+  });
+  return frame;
+}
+
+} // namespace ogive

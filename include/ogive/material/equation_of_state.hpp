@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ogive/core/types.hpp"
+
+namespace ogive {
+
+/// Pressure from density and energy.
+enum class PressureLaw {
+  linear,       ///< p = K (rho/rho0 - 1)
+  mie_gruneisen ///< shock Hugoniot Us = c0 + s up as the reference curve
+};
+
+/// Equation of state. `gruneisen` and `hugoniot_slope` are used by Mie-Grueneisen only.
+template <class T> struct EquationOfState {
+  PressureLaw law = PressureLaw::linear;
+  T hugoniot_slope{}; ///< s of Us = c0 + s up
+  T gruneisen{};      ///< Gamma0, with rho Gamma = rho0 Gamma0
+};
+
+/// Pressure in Pa for the compression mu = rho/rho0 - 1 and the internal energy `energy` in J per reference m3.
+/// Mie-Grueneisen: Hugoniot in compression, linear in tension, the bulk sound speed from `bulk_modulus` (Pa).
+template <class T> T pressure(const EquationOfState<T> &eos, T bulk_modulus, T mu, T energy) {
+  if (eos.law == PressureLaw::linear) return bulk_modulus * mu;
+  const T thermal = eos.gruneisen * energy;
+  if (mu <= T(0)) return bulk_modulus * mu + thermal;
+  const T eta = mu / (T(1) + mu);
+  const T stiffening = T(1) - eos.hugoniot_slope * eta;
+  return bulk_modulus * eta * (T(1) - T(0.5) * eos.gruneisen * eta) / (stiffening * stiffening) + thermal;
+}
+
+} // namespace ogive

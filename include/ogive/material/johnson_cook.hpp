@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ogive/material/flow_law.hpp"
+
+#include <cmath>
+
+namespace ogive {
+
+/// Modified Johnson-Cook law (Liu et al. 2012, Eq. 2): sigma = [A + B eps^a] rate^C [1 - T*^b], rate in 1/s, without a
+/// reference rate.
+template <class T> struct ModifiedJohnsonCook {
+  T A{};       ///< Pa
+  T B{};       ///< Pa
+  T a{};       ///< hardening exponent
+  T C{};       ///< rate exponent
+  T b{};       ///< thermal exponent
+  T room{};    ///< Tr, K
+  T melting{}; ///< Tm, K
+};
+
+/// Liu et al. 2012, Eq. 2. The rate must be positive (see Metal::rate_floor).
+template <class T> FlowStress<T> flow_stress(const ModifiedJohnsonCook<T> &law, T plastic_strain, T rate, T temperature) {
+  const auto hardening = power_hardening(law.A, law.B, law.a, plastic_strain);
+  const T rate_factor = std::pow(rate, law.C);
+  const auto thermal = thermal_factor(temperature, law.room, law.melting, law.b);
+  const T value = hardening.value * rate_factor * thermal.value;
+  return {value, hardening.slope * rate_factor * thermal.value, value * law.C / rate,
+          hardening.value * rate_factor * thermal.slope};
+}
+
+/// The two published rate factors of the classical law.
+enum class RateFactor {
+  logarithmic, ///< 1 + C ln(rate/rate0), 1 below rate0 (Johnson & Cook 1983)
+  power        ///< (1 + rate/rate0)^C (Camacho & Ortiz 1997; Boervik et al. 2001)
+};
+
+/// Classical Johnson-Cook law: sigma = [A + B eps^n] f(rate) [1 - T*^m].
+template <class T> struct JohnsonCook {
+  T A{};              ///< Pa
+  T B{};              ///< Pa
+  T n{};              ///< hardening exponent
+  T C{};              ///< rate coefficient
+  T m{};              ///< thermal exponent
+  T reference_rate{}; ///< 1/s
+  T room{};           ///< Tr, K
+  T melting{};        ///< Tm, K
+  RateFactor rate_factor = RateFactor::logarithmic;
+};
+
+/// Johnson & Cook 1983, with either rate factor.
+template <class T> FlowStress<T> flow_stress(const JohnsonCook<T> &law, T plastic_strain, T rate, T temperature) {
+  const auto hardening = power_hardening(law.A, law.B, law.n, plastic_strain);
+  const auto thermal = thermal_factor(temperature, law.room, law.melting, law.m);
+  const T scaled = rate / law.reference_rate;
+  T factor = T(1), slope = T(0);
+  if (law.rate_factor == RateFactor::power) {
+    factor = std::pow(T(1) + scaled, law.C);
+    slope = law.C * factor / (law.reference_rate + rate);
+  } else if (scaled > T(1)) {
+    factor = T(1) + law.C * std::log(scaled);
+    slope = law.C / rate;
+  }
+  return {hardening.value * factor * thermal.value, hardening.slope * factor * thermal.value,
+          hardening.value * slope * thermal.value, hardening.value * factor * thermal.slope};
+}
+
+} // namespace ogive

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "ogive/core/error.hpp"
+#include "ogive/material/equation_of_state.hpp"
+#include "ogive/material/failure_strain.hpp"
+#include "ogive/material/flow_law.hpp"
+#include "ogive/material/points.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace ogive {
+
+/// Isotropic elasticity.
+template <class T> struct Elasticity {
+  T young{};   ///< Pa
+  T poisson{}; ///< -0.999 to 0.499
+};
+
+template <class T> T shear_modulus(const Elasticity<T> &e) { return e.young / (T(2) * (T(1) + e.poisson)); }
+template <class T> T bulk_modulus(const Elasticity<T> &e) { return e.young / (T(3) * (T(1) - T(2) * e.poisson)); }
+/// P-wave modulus lambda + 2 mu, Pa.
+template <class T> T p_wave_modulus(const Elasticity<T> &e) {
+  return bulk_modulus(e) + T(4) / T(3) * shear_modulus(e);
+}
+
+/// An elastic-plastic metal: elasticity, equation of state, flow law, adiabatic heat, damage.
+template <class T, class Law>
+  requires FlowLaw<Law, T>
+struct Metal {
+  std::string name;
+  std::string source;         ///< where the constants come from
+  T density{};                ///< kg/m3
+  Elasticity<T> elasticity{};
+  EquationOfState<T> eos{};
+  Law flow{};
+  T specific_heat{};              ///< J/(kg K); 0: isothermal
+  T taylor_quinney = T(0.9);      ///< beta, the fraction of plastic work that heats
+  T room_temperature = T(293);    ///< K, initial
+  T melting_temperature = T(1e4); ///< K
+  T rate_floor = T(1);            ///< smallest plastic strain rate given to the flow law, 1/s
+  FailureStrain<T> failure{};
+};
+
+/// Longitudinal sound speed, m/s.
+template <class T, class Law> T sound_speed(const Metal<T, Law> &m) {
+  return std::sqrt(p_wave_modulus(m.elasticity) / m.density);
+}
+
+/// The state of the undeformed metal at room temperature.
+template <class T, class Law> MaterialPoint<T> initial_point(const Metal<T, Law> &m) {
+  MaterialPoint<T> p;
+  p.density = m.density;
+  p.temperature = m.room_temperature;
+  return p;
+}
+
+/// Throws SetupError if a constant is out of range.
+template <class T, class Law> void check(const Metal<T, Law> &m) {
+  const auto positive = [&](T v, const char *thing) {
+    require(std::isfinite(v) && v > T(0), m.name + " " + thing, v, "must be positive and finite");
+  };
+  positive(m.density, "density (kg/m3)");
+  positive(m.elasticity.young, "Young's modulus (Pa)");
+  require(m.elasticity.poisson > T(-0.999) && m.elasticity.poisson < T(0.499), m.name + " Poisson's ratio",
+          m.elasticity.poisson, "must lie between -0.999 and 0.499");
+  require(m.specific_heat >= T(0) && std::isfinite(m.specific_heat), m.name + " specific heat (J/kgK)", m.specific_heat,
+          "must not be negative");
+  require(m.taylor_quinney >= T(0) && m.taylor_quinney <= T(1), m.name + " Taylor-Quinney coefficient",
+          m.taylor_quinney, "must lie between 0 and 1");
+  positive(m.rate_floor, "rate floor (1/s)");
+  require(m.melting_temperature > m.room_temperature, m.name + " melting temperature (K)", m.melting_temperature,
+          "must lie above room temperature");
+}
+
+} // namespace ogive

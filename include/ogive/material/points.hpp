@@ -1,0 +1,77 @@
+#pragma once
+
+#include "ogive/core/types.hpp"
+
+#include <vector>
+
+namespace ogive {
+
+/// State of one material point.
+template <class T> struct MaterialPoint {
+  Sym3<T> deviator{};      ///< deviatoric Cauchy stress, Pa
+  T pressure{};            ///< Pa, positive in compression
+  T density{};             ///< kg/m3
+  T plastic_strain{};      ///< equivalent plastic strain
+  T plastic_strain_rate{}; ///< 1/s, of the last step
+  T temperature{};         ///< K
+  T damage{};              ///< 0 (sound) upwards, failure strain used up at 1
+  T internal_energy{};     ///< work of the stress, J/kg
+};
+
+/// Cauchy stress of a point, Pa, positive in tension.
+template <class T> Sym3<T> stress(const MaterialPoint<T> &p) { return p.deviator - spherical(p.pressure); }
+
+/// The material points of a body, one array for each quantity.
+template <class T> struct MaterialPoints {
+  std::vector<Mat3<T>> velocity_gradient; ///< 1/s, of the last half step, with respect to the latest positions
+  std::vector<Sym3<T>> deviator;
+  std::vector<T> pressure, density, plastic_strain, plastic_strain_rate, temperature, damage, internal_energy;
+
+  Index size() const { return static_cast<Index>(density.size()); }
+};
+
+/// Calls `f(name, unit, values)` for each field of the material state: the one list that output, hashes and restart
+/// files use.
+template <class P, class F> void for_each_point_field(P &&points, F &&f) {
+  f("deviatoric_stress", "Pa", points.deviator);
+  f("pressure", "Pa", points.pressure);
+  f("density", "kg/m3", points.density);
+  f("plastic_strain", "1", points.plastic_strain);
+  f("plastic_strain_rate", "1/s", points.plastic_strain_rate);
+  f("temperature", "K", points.temperature);
+  f("damage", "1", points.damage);
+  f("internal_energy", "J/kg", points.internal_energy);
+}
+
+/// Makes `n` points, each in the state `initial`.
+template <class T> void fill(MaterialPoints<T> &points, Index n, const MaterialPoint<T> &initial) {
+  points.velocity_gradient.assign(n, Mat3<T>::Zero());
+  points.deviator.assign(n, initial.deviator);
+  points.pressure.assign(n, initial.pressure);
+  points.density.assign(n, initial.density);
+  points.plastic_strain.assign(n, initial.plastic_strain);
+  points.plastic_strain_rate.assign(n, initial.plastic_strain_rate);
+  points.temperature.assign(n, initial.temperature);
+  points.damage.assign(n, initial.damage);
+  points.internal_energy.assign(n, initial.internal_energy);
+}
+
+/// Copy of point i.
+template <class T> MaterialPoint<T> load(const MaterialPoints<T> &p, Index i) {
+  return {p.deviator[i],            p.pressure[i],    p.density[i], p.plastic_strain[i],
+          p.plastic_strain_rate[i], p.temperature[i], p.damage[i],  p.internal_energy[i]};
+}
+
+/// Writes point i.
+template <class T> void store(MaterialPoints<T> &p, Index i, const MaterialPoint<T> &s) {
+  p.deviator[i] = s.deviator;
+  p.pressure[i] = s.pressure;
+  p.density[i] = s.density;
+  p.plastic_strain[i] = s.plastic_strain;
+  p.plastic_strain_rate[i] = s.plastic_strain_rate;
+  p.temperature[i] = s.temperature;
+  p.damage[i] = s.damage;
+  p.internal_energy[i] = s.internal_energy;
+}
+
+} // namespace ogive

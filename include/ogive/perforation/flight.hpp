@@ -1,0 +1,101 @@
+#pragma once
+
+#include "ogive/fem/projectile.hpp"
+#include "ogive/perforation/setup.hpp"
+#include "ogive/sim/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace ogive {
+
+/// The projectile at one time. Velocities are positive in the direction of flight (-z).
+template <class T> struct FlightSample {
+  T time{};     ///< s
+  T velocity{}; ///< mean of the projectile's mass, m/s
+  T nose{};     ///< depth of the foremost point below the plate's front face, m
+  T shoulder{}; ///< depth of the nose's shoulder, m
+  T tail{};     ///< depth of the rear end, m
+};
+
+/// Where the shot stands.
+enum class FlightState { in_progress, perforated, stopped };
+
+/// The projectile's flight so far and what has been concluded from it.
+template <class T> struct Flight {
+  T plate_thickness{};            ///< m
+  T initial_velocity{};           ///< m/s
+  bool sharp = false;             ///< the nose has a length
+  std::vector<FlightSample<T>> samples;
+  FlightState state = FlightState::in_progress;
+  std::optional<T> velocity_at_shoulder; ///< sharp noses: when the shoulder left the rear face, m/s
+  std::optional<T> velocity_at_tail;     ///< sharp noses: when the tail left the rear face, m/s
+};
+
+/// Starts the record of a shot.
+template <class T> Flight<T> start_flight(const PerforationCase<T> &c) {
+  Flight<T> flight;
+  flight.plate_thickness = c.thickness;
+  flight.initial_velocity = c.initial_velocity;
+  flight.sharp = c.nose != Nose::blunt;
+  return flight;
+}
+
+/// The projectile now. `shape` gives the distance of the shoulder from the tip.
+template <class M, class T> FlightSample<T> observe_flight(const M &model, const ProjectileShape<T> &shape) {
+  const auto &body = projectile(model);
+  const auto &nodes = model.nodes;
+  FlightSample<T> s;
+  s.time = model.time;
+  s.velocity = -mean_velocity(nodes, body.nodes)[2];
+  const T lowest = parallel_min(body.nodes.size(), T(1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
+  const T highest = parallel_max(body.nodes.size(), T(-1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
+  s.nose = -lowest;
+  s.tail = -highest;
+  s.shoulder = s.tail + shape.shank_length;
+  return s;
+}
+
+/// Interval over which a velocity must stay constant to be called steady, s: the time in which the projectile moves on
+/// by a millimetre, between 10 and 60 us.
+template <class T> T steady_interval(T velocity) {
+  return std::clamp(T(1e-3) / std::max(velocity, T(1e-3)), T(10e-6), T(60e-6));
+}
+
+/// True if the velocity changed by less than `tolerance` (m/s) over the interval that ends now.
+template <class T> bool is_steady(const std::vector<FlightSample<T>> &samples, T tolerance) {
+  const FlightSample<T> &now = samples.back();
+  const T since = now.time - steady_interval(now.velocity);
+  if (samples.front().time > since) return false;
+  for (auto s = samples.rbegin(); s != samples.rend() && s->time >= since; ++s)
+    if (std::abs(s->velocity - now.velocity) > tolerance) return false;
+  return true;
+}
+
+/// Records a sample and concludes. Blunt: perforated once the velocity is steady (0.1 % of the initial velocity) with the
+/// nose inside the plate by a quarter of its thickness. Sharp: perforated once the tail has left the rear face. Stopped
+/// once the projectile moves backwards by more than 0.2 % of the initial velocity.
+template <class T> void record(Flight<T> &flight, const FlightSample<T> &sample) {
+  flight.samples.push_back(sample);
+  const T tolerance = T(1e-3) * flight.initial_velocity;
+  if (flight.sharp) {
+    if (!flight.velocity_at_shoulder && sample.shoulder >= flight.plate_thickness)
+      flight.velocity_at_shoulder = sample.velocity;
+    if (!flight.velocity_at_tail && sample.tail >= flight.plate_thickness) flight.velocity_at_tail = sample.velocity;
+  }
+  if (sample.velocity < T(-2) * tolerance)
+    flight.state = FlightState::stopped;
+  else if (flight.sharp ? flight.velocity_at_tail.has_value()
+                        : sample.velocity > T(5) * tolerance && sample.nose > T(0.25) * flight.plate_thickness &&
+                              is_steady(flight.samples, tolerance))
+    flight.state = FlightState::perforated;
+}
+
+/// Residual velocity, m/s: 0 unless perforated.
+template <class T> T residual_velocity(const Flight<T> &flight) {
+  return flight.state == FlightState::perforated ? flight.samples.back().velocity : T(0);
+}
+
+} // namespace ogive

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "ogive/perforation/setup.hpp"
+
+#include <numeric>
+#include <vector>
+
+namespace ogive {
+
+/// What the plate's particles have broken into.
+template <class T> struct Fragments {
+  T plug_mass{};       ///< kg, largest piece that is not connected to the rim; whole model
+  T plug_velocity{};   ///< m/s in the direction of flight
+  T debris_mass{};     ///< kg, all smaller pieces
+  Index pieces = 0;    ///< number of loose pieces, of the computed part
+};
+
+/// Number of the piece that each particle belongs to: the smallest particle index of the piece. Two particles are
+/// connected while they are nearer than `distance` (m).
+template <class T, class Body>
+std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T distance) {
+  const Index n = body.points.size();
+  std::vector<Index> piece(n);
+  std::iota(piece.begin(), piece.end(), Index(0));
+  const auto root = [&](Index i) {
+    while (piece[i] != i) i = piece[i] = piece[piece[i]];
+    return i;
+  };
+  for (Index i = 0; i < n; ++i)
+    for (Index j : row(body.neighbours, i)) {
+      if (j <= i || j >= n) continue;
+      const Vec3<T> gap = nodes.position[body.nodes.begin + i] - nodes.position[body.nodes.begin + j];
+      if (gap.squaredNorm() > distance * distance) continue;
+      const Index a = root(i), b = root(j);
+      piece[std::max(a, b)] = std::min(a, b);
+    }
+  for (Index i = 0; i < n; ++i) piece[i] = root(i);
+  return piece;
+}
+
+/// Plug and debris: pieces of particles that no chain of neighbours nearer than `ratio` particle distances connects to the
+/// rim. In a quarter model a piece is taken with its mirror images.
+template <class M> auto find_fragments(const M &model, double ratio = 1.6) {
+  const auto &body = disc(model);
+  const auto &nodes = model.nodes;
+  using T = std::decay_t<decltype(body.spacing)>;
+  const auto piece = connected_pieces(body, nodes, T(ratio) * body.spacing);
+  std::vector<T> mass(piece.size(), T(0)), momentum(piece.size(), T(0));
+  std::vector<bool> at_rim(piece.size(), false);
+  for (const auto &tie : model.ties)
+    for (const auto &t : tie.nodes) at_rim[piece[t.slave - body.nodes.begin]] = true;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    mass[piece[i]] += body.point_mass[i];
+    momentum[piece[i]] -= body.point_mass[i] * nodes.velocity[body.nodes.begin + static_cast<Index>(i)][2];
+  }
+  Fragments<T> f;
+  Index plug = -1;
+  T loose{};
+  for (Index i = 0; i < static_cast<Index>(piece.size()); ++i) {
+    if (piece[i] != i || at_rim[i]) continue;
+    ++f.pieces;
+    loose += mass[i];
+    if (plug < 0 || mass[i] > mass[plug]) plug = i;
+  }
+  if (plug < 0) return f;
+  const T copies = T(model.symmetry.copies());
+  f.plug_mass = copies * mass[plug];
+  f.plug_velocity = momentum[plug] / mass[plug];
+  f.debris_mass = copies * (loose - mass[plug]);
+  return f;
+}
+
+/// How far the particle that is deepest inside the projectile lies behind its surface, m; 0 if none is inside.
+template <class M> auto largest_intrusion(const M &model) {
+  const auto &contact = model.contacts.front();
+  const auto &nodes = model.nodes;
+  const auto &body = disc(model);
+  using T = std::decay_t<decltype(body.spacing)>;
+  Box<T> box;
+  for (const Facet &f : contact.facets)
+    for (Index n : f.nodes) extend(box, nodes.position[n]);
+  return parallel_max(body.nodes.size(), T(0), [&](Index i) {
+    const Vec3<T> &p = nodes.position[body.nodes.begin + i];
+    if (!is_inside(box, p)) return T(0);
+    FacetPoint<T> best;
+    best.distance_squared = T(1e30);
+    T alignment{};
+    for (const Facet &f : contact.facets) {
+      std::array<Vec3<T>, 4> corner;
+      for (int c = 0; c < 4; ++c) corner[c] = nodes.position[f.nodes[c]];
+      if (const T far = (corner[0] - corner[2]).norm() + (corner[1] - corner[3]).norm();
+          (p - corner[0]).norm() - far > std::sqrt(best.distance_squared))
+        continue;
+      const FacetPoint<T> point = closest_on_facet(p, corner);
+      const T aligned = std::abs(point.normal.dot(p - point.position));
+      const T tie = T(1e-6) * point.distance_squared;
+      if (point.distance_squared < best.distance_squared - tie ||
+          (point.distance_squared <= best.distance_squared + tie && aligned > alignment))
+        best = point, alignment = aligned;
+    }
+    return best.normal.dot(p - best.position) < T(0) ? std::sqrt(best.distance_squared) : T(0);
+  });
+}
+
+} // namespace ogive

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "ogive/fem/facets.hpp"
+#include "ogive/fem/hex_force.hpp"
+#include "ogive/fem/hex_time_step.hpp"
+#include "ogive/fem/plate_rim.hpp"
+#include "ogive/fem/projectile.hpp"
+#include "ogive/material/library.hpp"
+#include "ogive/perforation/case.hpp"
+#include "ogive/sim/model.hpp"
+#include "ogive/sim/run.hpp"
+#include "ogive/sph/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace ogive {
+
+/// Numerical choices of a perforation model; the defaults are the same for all cases.
+template <class T> struct PerforationOptions {
+  SphOptions<T> sph{};
+  HexOptions<T> hex{};
+  T rim_size_ratio = T(2.5);            ///< hex size at the disc's edge over the particle distance
+  T deformable_courant = T(0.4);        ///< particles' Courant number with a deformable projectile
+  T largest_added_mass = T(0.01);       ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
+};
+
+/// The bodies of a perforation model: disc of particles, rim of hexes, projectile of hexes.
+template <class T, class Law, class Kernel, class Form, class Rule>
+using PerforationModel =
+    Model<T, SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>;
+
+template <class M> auto &disc(M &model) { return std::get<0>(model.bodies); }
+template <class M> auto &rim(M &model) { return std::get<1>(model.bodies); }
+template <class M> auto &projectile(M &model) { return std::get<2>(model.bodies); }
+
+/// Holds the nodes of a range at `radius` (m) from the z axis or beyond in all directions.
+template <class T> void clamp_at_radius(Nodes<T> &nodes, NodeRange range, T radius) {
+  for (Index n = range.begin; n < range.end; ++n)
+    if (std::hypot(nodes.position[n][0], nodes.position[n][1]) >= radius * (T(1) - T(1e-6))) nodes.held[n] = held_all;
+}
+
+/// Mass of a range of nodes in the whole model, kg.
+template <class T> T total_mass(const std::vector<T> &point_mass, SymmetryPlanes symmetry) {
+  T mass{};
+  for (T m : point_mass) mass += m;
+  return T(symmetry.copies()) * mass;
+}
+
+/// Builds the model of a case: a disc of particles tied to a rim of hexes that is clamped at its outer radius, and a
+/// projectile that touches the plate and flies towards -z. Throws SetupError for sizes that do not fit together.
+template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
+PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate,
+                                                              const Metal<T, Bilinear<T>> &projectile_metal,
+                                                              PerforationOptions<T> options = {}) {
+  const ProjectileShape<T> shape = paper_projectile<T>(c.nose);
+  require(c.sph_radius > T(0.5) * shape.diameter, "radius of the particle disc (m)", c.sph_radius,
+          "must be larger than the projectile's");
+  require(c.clamp_radius > c.sph_radius, "clamp radius (m)", c.clamp_radius,
+          "must be larger than that of the particle disc");
+  require(std::isfinite(c.initial_velocity) && c.initial_velocity > T(0), "initial velocity (m/s)", c.initial_velocity,
+          "must be positive");
+  const SymmetryPlanes planes = symmetry_planes(c.extent);
+  const DiscShape<T> disc_shape{c.sph_radius, c.thickness, c.spacing};
+  const ParticleLayout<T> layout =
+      c.lattice == Lattice::cubic ? cubic_disc(disc_shape, c.extent) : ring_disc(disc_shape, c.extent);
+  if (!c.rigid_projectile) options.sph.courant = std::min(options.sph.courant, options.deformable_courant);
+
+  Nodes<T> nodes;
+  auto particles = add_sph_body<Kernel, Form>(nodes, layout, plate, "disc", planes, options.sph);
+
+  RimShape<T> rim_shape;
+  rim_shape.inner_radius = c.sph_radius;
+  rim_shape.outer_radius = c.clamp_radius;
+  rim_shape.thickness = c.thickness;
+  rim_shape.inner_size = options.rim_size_ratio * layout.spacing;
+  const HexMesh<T> mesh_of_rim = rim_mesh(rim_shape, c.extent);
+  auto rim_hexes = add_hex_body<Rule>(nodes, mesh_of_rim, plate, "rim", options.hex);
+  const T tolerance = T(1e-3) * layout.spacing;
+  hold_on_planes(nodes, rim_hexes.nodes, planes, tolerance);
+  clamp_at_radius(nodes, rim_hexes.nodes, c.clamp_radius);
+
+  const HexMesh<T> shot_mesh = projectile_mesh(shape, layout.spacing, c.extent);
+  auto shot = add_hex_body<Rule>(nodes, shot_mesh, projectile_metal, "projectile", options.hex);
+  hold_on_planes(nodes, shot.nodes, planes, tolerance);
+  set_velocity(nodes, shot.nodes, Vec3<T>(T(0), T(0), -c.initial_velocity));
+  if (!c.rigid_projectile) {
+    const T added = raise_time_step(shot, nodes, stable_time_step(particles, nodes));
+    const T allowed = options.largest_added_mass * total_mass(shot.point_mass, {});
+    require(added <= allowed, "mass added to the projectile's tip (kg)", added,
+            "too much: the particle distance is too large for the projectile's mesh");
+  }
+
+  std::vector<Index> slaves;
+  std::vector<T> offset;
+  for (Index n = particles.nodes.begin; n < particles.nodes.end; ++n)
+    slaves.push_back(n), offset.push_back(T(0.5) * layout.spacing);
+  for (Index n = rim_hexes.nodes.begin; n < rim_hexes.nodes.end; ++n) slaves.push_back(n), offset.push_back(T(0));
+  auto contact = make_contact(nodes, std::move(slaves), std::move(offset),
+                              shifted(contact_facets(shot_mesh, c.extent), shot.nodes.begin), "plate on projectile",
+                              ContactOptions<T>{.friction = c.friction}, planes);
+  const auto edge = shifted(inner_facets(mesh_of_rim, rim_shape), rim_hexes.nodes.begin);
+  auto tie = make_tie(nodes, particles.nodes, edge, rim_hexes.hexes, layout.spacing);
+
+  PerforationModel<T, Law, Kernel, Form, Rule> model{
+      std::move(nodes), std::tuple{std::move(particles), std::move(rim_hexes), std::move(shot)}, planes};
+  model.contacts.push_back(std::move(contact));
+  model.ties.push_back(std::move(tie));
+  if (c.rigid_projectile) model.rigid_parts.push_back({projectile(model).nodes});
+  return model;
+}
+
+} // namespace ogive

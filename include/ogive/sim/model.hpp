@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ogive/contact/node_to_surface.hpp"
+#include "ogive/contact/tie.hpp"
+#include "ogive/core/nodes.hpp"
+#include "ogive/core/symmetry.hpp"
+
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace ogive {
+
+/// Nodes that move as one, in the directions they are free in: a rigid body without rotation.
+struct RigidPart {
+  NodeRange nodes{};
+};
+
+/// Nodes, the bodies that connect them, and what acts between bodies.
+template <class T, class... Bodies> struct Model {
+  Nodes<T> nodes;
+  std::tuple<Bodies...> bodies;
+  SymmetryPlanes symmetry{};
+  std::vector<NodeToSurface<T>> contacts{};
+  std::vector<Tie<T>> ties{};
+  std::vector<RigidPart> rigid_parts{};
+
+  T time = T(0);           ///< s, of the positions
+  std::int64_t steps = 0;
+  T last_step = T(0);      ///< s, interval before the present time
+  T last_kick = T(0);      ///< s, interval over which the last forces changed the velocities
+  Vec3<T> support_impulse = Vec3<T>::Zero(); ///< N s, given by held nodes to the computed part of the model
+};
+
+template <class T, class... Bodies>
+Model(Nodes<T>, std::tuple<Bodies...>, SymmetryPlanes) -> Model<T, Bodies...>;
+
+/// Calls `f(body)` for each body.
+template <class M, class F> void for_each_body(M &&model, F &&f) {
+  std::apply([&](auto &...body) { (f(body), ...); }, model.bodies);
+}
+
+/// Name of the body that a node belongs to, or "nodes".
+template <class M> std::string body_of_node(const M &model, Index node) {
+  std::string name = "nodes";
+  for_each_body(model, [&](const auto &body) {
+    if (node >= body.nodes.begin && node < body.nodes.end) name = body.name;
+  });
+  return name;
+}
+
+} // namespace ogive

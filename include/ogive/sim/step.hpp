@@ -1,0 +1,37 @@
+#pragma once
+
+#include "ogive/contact/force.hpp"
+#include "ogive/contact/tie.hpp"
+#include "ogive/fem/hex_force.hpp"
+#include "ogive/material/stress_update.hpp"
+#include "ogive/sim/integrate.hpp"
+#include "ogive/sim/model.hpp"
+#include "ogive/sph/force.hpp"
+#include "ogive/sph/gradient.hpp"
+
+namespace ogive {
+
+/// One explicit time step of `dt` (s), central differences: the whole method.
+template <class M, class T> void step(M &model, T dt) {
+  Nodes<T> &nodes = model.nodes;
+  const T before = model.last_step, kick = T(0.5) * (before + dt);
+  clear_forces(nodes);
+  for_each_body(model, [&](auto &body) {
+    prepare(body, nodes);
+    velocity_gradient(body, nodes);
+    update_stress(body, before);
+    add_internal_force(body, nodes, before);
+  });
+  for (auto &contact : model.contacts) add_contact_force(contact, nodes, before, dt);
+  for (const auto &tie : model.ties) hand_over_forces(tie, nodes);
+  for (const auto &part : model.rigid_parts) rigidify(part, nodes);
+  model.support_impulse += support_impulse(nodes, kick);
+  integrate(nodes, kick, dt);
+  for (const auto &tie : model.ties) move_slaves(tie, nodes);
+  model.time += dt;
+  model.last_step = dt;
+  model.last_kick = kick;
+  ++model.steps;
+}
+
+} // namespace ogive

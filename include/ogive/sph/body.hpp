@@ -1,0 +1,119 @@
+#pragma once
+
+#include "ogive/core/nodes.hpp"
+#include "ogive/core/symmetry.hpp"
+#include "ogive/material/metal.hpp"
+#include "ogive/sph/kernel.hpp"
+#include "ogive/sph/neighbours.hpp"
+#include "ogive/sph/pair_data.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ogive {
+
+/// The renormalised symmetric form: gradients corrected so that linear fields are exact, forces their transpose
+/// (Randles & Libersky 1996; Bonet & Lok 1999).
+struct RenormalisedForm {
+  static constexpr bool corrected = true;
+};
+
+/// The standard symmetric form without correction.
+struct StandardForm {
+  static constexpr bool corrected = false;
+};
+
+/// Numerical parameters of particles; the defaults are frozen for all cases.
+template <class T> struct SphOptions {
+  T smoothing_ratio = T(1.2);      ///< h over the particle distance
+  T linear_viscosity = T(0.06);    ///< Monaghan's alpha
+  T quadratic_viscosity = T(1.5);  ///< Monaghan's beta
+  bool variable_smoothing = false; ///< h follows the density: h = h0 (rho0/rho)^(1/3), at most 1.3 h0
+  T skin_ratio = T(0.25);          ///< reach of the neighbour lists beyond the support, over the particle distance
+  T courant = T(0.45);             ///< time step = courant * particle distance / longitudinal sound speed
+};
+
+/// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
+template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = RenormalisedForm> struct SphBody {
+  using Kernel = Kernel_;
+  using Form = Form_;
+  std::string name;
+  Metal<T, Law> metal;
+  SphOptions<T> options{};
+  SymmetryPlanes symmetry{};
+  T spacing{}; ///< particle distance, m
+  NodeRange nodes{};
+  MaterialPoints<T> points;
+  std::vector<T> point_mass;       ///< kg, constant
+  std::vector<Mat3<T>> correction; ///< B of each particle, empty for the standard form
+  std::vector<T> viscous_energy;   ///< J, work of artificial viscosity: each particle's half of its pairs
+  Neighbours<T> neighbours;
+  PairData<T> pair_data;
+};
+
+/// Particles that fill a shape: positions in m, and the volume of each in m3.
+template <class T> struct ParticleLayout {
+  T spacing{}; ///< m
+  std::vector<Vec3<T>> positions;
+  std::vector<T> volumes;
+};
+
+/// Adds the particles of `layout` as nodes of mass density * volume. Throws SetupError if there are none, or if spacing,
+/// volumes or the metal's constants are not positive.
+template <class Kernel = CubicSpline, class Form = RenormalisedForm, class T, class Law>
+SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout<T> &layout, const Metal<T, Law> &metal,
+                                           std::string name, SymmetryPlanes symmetry = {}, SphOptions<T> options = {}) {
+  check(metal);
+  require(!layout.positions.empty(), name + " particles", 0, "there must be at least one");
+  require(layout.spacing > T(0), name + " spacing (m)", layout.spacing, "must be positive");
+  require(layout.volumes.size() == layout.positions.size(), name + " volumes", layout.volumes.size(),
+          "there must be one for each particle");
+  SphBody<T, Law, Kernel, Form> body;
+  body.name = std::move(name);
+  body.metal = metal;
+  body.options = options;
+  body.symmetry = symmetry;
+  body.spacing = layout.spacing;
+  body.nodes = add_nodes(nodes, layout.positions);
+  for (Index i = 0; i < body.nodes.size(); ++i) {
+    require(layout.volumes[i] > T(0), body.name + " particle volume (m3)", layout.volumes[i], "must be positive");
+    body.point_mass.push_back(metal.density * layout.volumes[i]);
+    nodes.mass[body.nodes.begin + i] = body.point_mass[i];
+  }
+  fill(body.points, body.nodes.size(), initial_point(metal));
+  if constexpr (Form::corrected) body.correction.assign(body.nodes.size(), Mat3<T>::Identity());
+  body.viscous_energy.assign(body.nodes.size(), T(0));
+  return body;
+}
+
+/// Smoothing length of the undeformed body, m.
+template <class Body> auto reference_smoothing_length(const Body &body) {
+  return body.options.smoothing_ratio * body.spacing;
+}
+
+/// Stable time step, s: courant * spacing / sound speed; a variable smoothing length shortens it with its smallest value.
+template <class T, class Law, class K, class F>
+T stable_time_step(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
+  T shortest = T(1);
+  if (body.options.variable_smoothing)
+    shortest = parallel_min(body.points.size(), T(1),
+                            [&](Index i) { return std::cbrt(body.metal.density / body.points.density[i]); });
+  return body.options.courant * shortest * body.spacing / sound_speed(body.metal);
+}
+
+/// Work of the stresses since the start, J.
+template <class T, class Law, class K, class F>
+T internal_energy(const SphBody<T, Law, K, F> &body) {
+  return ordered_sum(body.points.size(), T(0),
+                     [&](Index i) { return body.point_mass[i] * body.points.internal_energy[i]; });
+}
+
+/// Work of artificial viscosity since the start, J.
+template <class T, class Law, class K, class F> T viscous_energy(const SphBody<T, Law, K, F> &body) {
+  return ordered_sum(body.points.size(), T(0), [&](Index i) { return body.viscous_energy[i]; });
+}
+
+/// Particles have no hourglass modes that are controlled.
+template <class T, class Law, class K, class F> T hourglass_energy(const SphBody<T, Law, K, F> &) { return T(0); }
+
+} // namespace ogive

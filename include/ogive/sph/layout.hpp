@@ -1,0 +1,91 @@
+#pragma once
+
+#include "ogive/core/error.hpp"
+#include "ogive/core/symmetry.hpp"
+#include "ogive/sph/body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ogive {
+
+/// A round disc of particles between z = 0 and z = -thickness.
+template <class T> struct DiscShape {
+  T radius{};    ///< m
+  T thickness{}; ///< m
+  T spacing{};   ///< particle distance asked for, m
+};
+
+/// Whole number of layers nearest to thickness / spacing, at least 1.
+template <class T> Index layer_count(T thickness, T spacing) {
+  return std::max(Index(1), static_cast<Index>(std::lround(thickness / spacing)));
+}
+
+/// Throws SetupError unless radius, thickness and spacing are positive and the spacing at most half the thickness.
+template <class T> void check(const DiscShape<T> &disc) {
+  const auto good = [](T v) { return std::isfinite(v) && v > T(0); };
+  require(good(disc.radius), "disc radius (m)", disc.radius, "must be positive");
+  require(good(disc.thickness), "disc thickness (m)", disc.thickness, "must be positive");
+  require(good(disc.spacing) && disc.spacing <= T(0.5) * disc.thickness, "particle distance (m)", disc.spacing,
+          "must be positive and at most half the thickness");
+}
+
+/// Sorts particles into the order of a fine grid of cells, so that neighbours lie near each other in memory.
+template <class T> void sort_by_cell(ParticleLayout<T> &layout) {
+  const CellGrid<T> grid = sort_into_cells(layout.positions, T(2.5) * layout.spacing);
+  ParticleLayout<T> sorted{layout.spacing, {}, {}};
+  for (Index k : grid.order) {
+    sorted.positions.push_back(layout.positions[k]);
+    sorted.volumes.push_back(layout.volumes[k]);
+  }
+  layout = std::move(sorted);
+}
+
+/// Simple cubic lattice cut at the radius; the mirror planes lie midway between particles. A thickness that the spacing
+/// does not divide gets the nearest whole number of layers, and the spacing follows from it.
+template <class T> ParticleLayout<T> cubic_disc(const DiscShape<T> &disc, Extent extent) {
+  check(disc);
+  const Index layers = layer_count(disc.thickness, disc.spacing);
+  ParticleLayout<T> layout;
+  const T s = layout.spacing = disc.thickness / T(layers);
+  const Index reach = static_cast<Index>(disc.radius / s) + 1;
+  const SymmetryPlanes planes = symmetry_planes(extent);
+  for (Index k = 0; k < layers; ++k)
+    for (Index j = planes.y ? 0 : -reach; j < reach; ++j)
+      for (Index i = planes.x ? 0 : -reach; i < reach; ++i) {
+        const T x = (T(i) + T(0.5)) * s, y = (T(j) + T(0.5)) * s;
+        if (x * x + y * y >= disc.radius * disc.radius) continue;
+        layout.positions.push_back({x, y, -(T(k) + T(0.5)) * s});
+        layout.volumes.push_back(s * s * s);
+      }
+  sort_by_cell(layout);
+  return layout;
+}
+
+/// Concentric rings, each with a whole number of particles of nearly equal distance; volumes follow from the ring's area.
+template <class T> ParticleLayout<T> ring_disc(const DiscShape<T> &disc, Extent extent) {
+  check(disc);
+  const Index layers = layer_count(disc.thickness, disc.spacing);
+  ParticleLayout<T> layout;
+  layout.spacing = disc.thickness / T(layers);
+  const Index rings = std::max(Index(1), static_cast<Index>(std::lround(disc.radius / layout.spacing)));
+  const T width = disc.radius / T(rings), pi = std::numbers::pi_v<T>;
+  const T angle = T(2) * pi / T(symmetry_planes(extent).copies());
+  for (Index k = 0; k < layers; ++k)
+    for (Index r = 0; r < rings; ++r) {
+      const T radius = (T(r) + T(0.5)) * width;
+      const Index quarter_count =
+          std::max(Index(1), static_cast<Index>(std::lround(T(0.5) * pi * radius / layout.spacing)));
+      const Index count = quarter_count * 4 / symmetry_planes(extent).copies();
+      for (Index c = 0; c < count; ++c) {
+        const T phi = angle * (T(c) + T(0.5)) / T(count);
+        layout.positions.push_back({radius * std::cos(phi), radius * std::sin(phi), -(T(k) + T(0.5)) * layout.spacing});
+        layout.volumes.push_back(angle / T(count) * radius * width * layout.spacing);
+      }
+    }
+  sort_by_cell(layout);
+  return layout;
+}
+
+} // namespace ogive

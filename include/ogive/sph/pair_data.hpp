@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ogive/core/types.hpp"
+
+#include <array>
+#include <vector>
+
+namespace ogive {
+
+/// What a particle shows to its neighbours, one array for each quantity so that loops over neighbours vectorise. The
+/// particles come first, their mirror images after them.
+template <class T> struct PairData {
+  std::vector<T> x, y, z;             ///< m
+  std::vector<T> vx, vy, vz;          ///< m/s
+  std::vector<T> volume;              ///< m3
+  std::vector<T> density;             ///< kg/m3
+  std::vector<T> smoothing;           ///< m, used with variable smoothing length only
+  std::array<std::vector<T>, 9> flux; ///< corrected stress G = sigma B times the volume, row first, N m
+};
+
+template <class T> void resize(PairData<T> &d, std::size_t n) {
+  for (auto *v : {&d.x, &d.y, &d.z, &d.vx, &d.vy, &d.vz, &d.volume, &d.density, &d.smoothing}) v->resize(n);
+  for (auto &v : d.flux) v.resize(n);
+}
+
+} // namespace ogive

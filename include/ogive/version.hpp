@@ -1,0 +1,8 @@
+#pragma once
+
+namespace ogive {
+
+/// The version of the library. CMakeLists.txt reads it from here.
+inline constexpr char version[] = "0.1.0";
+
+} // namespace ogive

@@ -1,0 +1,278 @@
+#include "perforate/options.hpp"
+
+#include "catch.hpp"
+#include "io/temporary_folder.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+#include <vector>
+
+using perforate::Options;
+
+namespace {
+
+std::optional<Options> parse(std::vector<const char *> arguments, std::ostream &text) {
+  arguments.insert(arguments.begin(), "perforate");
+  return perforate::parse(static_cast<int>(arguments.size()), arguments.data(), text);
+}
+
+Options options_of(const std::vector<const char *> &arguments) {
+  std::ostringstream text;
+  return parse(arguments, text).value();
+}
+
+/// The message that these arguments are refused with; empty if they are not.
+std::string refusal(const std::vector<const char *> &arguments) {
+  std::ostringstream text;
+  try {
+    parse(arguments, text);
+  } catch (const ogive::SetupError &error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal_of_out(const Options &options) {
+  try {
+    perforate::prepare_out(options);
+  } catch (const ogive::SetupError &error) {
+    return error.what();
+  }
+  return "";
+}
+
+void write(const std::filesystem::path &file, const std::string &text) { std::ofstream(file) << text; }
+
+} // namespace
+
+TEST_CASE("without arguments the options are the main job") {
+  const Options o = options_of({});
+  CHECK(o == Options{});
+  CHECK(o.out == "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps");
+}
+
+TEST_CASE("friction, end and folder follow from the case unless given") {
+  const Options steel = options_of({"--nose", "conical"});
+  CHECK(steel.friction == 0.08);
+  CHECK(steel.end_us == 400);
+  const Options aluminium = options_of({"--nose", "conical", "--material=aa5083_h116", "--thickness-mm", "15"});
+  CHECK(aluminium.friction == 0.02);
+  CHECK(aluminium.out == "vtk_out/aa5083_h116_mjc_conical_15mm_303.5mps");
+  const Options given = options_of({"--friction", "0.1", "--nose", "ogival", "--end-us", "50", "--out", "here"});
+  CHECK(given.friction == 0.1);
+  CHECK(given.end_us == 50);
+  CHECK(given.out == "here");
+}
+
+TEST_CASE("each bad argument is refused with one line that names option, value and what is allowed") {
+  struct Bad {
+    std::vector<const char *> arguments;
+    std::string message;
+  };
+  const std::vector<Bad> all{
+      {{"--thickness-mm", "-3"}, "--thickness-mm = -3: must lie between 0.5 and 100 mm"},
+      {{"--thickness-mm=-3"}, "--thickness-mm = -3: must lie between 0.5 and 100 mm"},
+      {{"--thickness-mm", "0"}, "--thickness-mm = 0: must lie between 0.5 and 100 mm"},
+      {{"--thickness-mm", "1e9"}, "--thickness-mm = 1e9: must lie between 0.5 and 100 mm"},
+      {{"--thickness-mm", "nan"}, "--thickness-mm = nan: must lie between 0.5 and 100 mm"},
+      {{"--velocity-mps", "inf"}, "--velocity-mps = inf: must lie between 1 and 3000 m/s"},
+      {{"--velocity-mps", "1e999"}, "--velocity-mps = 1e999: must lie between 1 and 3000 m/s"},
+      {{"--velocity-mps", "0"}, "--velocity-mps = 0: must lie between 1 and 3000 m/s"},
+      {{"--thickness-mm", "12mm"},
+       "--thickness-mm = 12mm: must be a number between 0.5 and 100 mm, written without the unit"},
+      {{"--friction", "rough"}, "--friction = rough: must be a number between 0 and 2"},
+      {{"--friction", "-0.1"}, "--friction = -0.1: must lie between 0 and 2"},
+      {{"--friction", "2.5"}, "--friction = 2.5: must lie between 0 and 2"},
+      {{"--end-us", "0"}, "--end-us = 0: must lie between 1 and 100000 us"},
+      {{"--output-every-us", "0"}, "--output-every-us = 0: must lie between 0.01 and 100000 us"},
+      {{"--clamp-radius-mm", "5000"}, "--clamp-radius-mm = 5000: must lie between 12 and 2000 mm"},
+      {{"--spacing-mm", "-0.6"}, "--spacing-mm = -0.6: must lie between 0.05 and 10 mm"},
+      {{"--spacing-mm", "7"}, "--spacing-mm = 7: must be at most half the thickness of the plate, 6 mm"},
+      {{"--sph-radius-mm", "11"},
+       "--sph-radius-mm = 11: must lie between 11.2 mm, the projectile's radius and two spacings, and less than the "
+       "clamp radius, 250 mm"},
+      {{"--sph-radius-mm", "60", "--clamp-radius-mm", "50"},
+       "--sph-radius-mm = 60: must lie between 11.2 mm, the projectile's radius and two spacings, and less than the "
+       "clamp radius, 50 mm"},
+      {{"--spacing-mm", "0.05", "--extent", "full"},
+       "--spacing-mm = 0.05: gives about 174 million particles, at most 50 million are allowed"},
+      {{"--threads", "1.5"}, "--threads = 1.5: must be a whole number between 1 and "},
+      {{"--threads", "0"}, "--threads = 0: must be a whole number between 1 and "},
+      {{"--threads", "1000000"}, "--threads = 1000000: must be a whole number between 1 and "},
+      {{"--nose", "flat"}, "--nose = flat: must be one of blunt, conical, ogival, hemispherical"},
+      {{"--nose", "a\nb"}, "--nose = a?b: must be one of blunt"},
+      {{"--material", "steel"}, "--material = steel: must be one of weldox_460e, aa5083_h116, aa5083_h116_25mm"},
+      {{"--model", "MJC"}, "--model = MJC: must be one of mjc, jc"},
+      {{"--kernel", "gauss"}, "--kernel = gauss: must be one of cubic_spline, wendland_c2"},
+      {{"--quiet=maybe"}, "--quiet = maybe: must be true or false"},
+      {{"--thickness-mm"}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
+      {{"--thickness-mm", ""}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
+      {{"--thickness-mm="}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
+      {{"--thickness-mm", "--quiet"}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
+      {{"--nose"}, "--nose: needs a value: one of blunt, conical, ogival, hemispherical"},
+      {{"--config"}, "--config: needs a value: the name of a TOML file"},
+      {{"--thicknes-mm", "3"}, "--thicknes-mm: unknown option, perforate --help lists what is allowed"},
+      {{"12"}, "12: unexpected argument, perforate --help lists what is allowed"},
+      {{"--out", "a\nb"}, "--out = a?b: must be the name of a folder, on one line"},
+      {{"--config", "no_such.toml"}, "--config = no_such.toml: must be a TOML file that can be read: No such file"},
+      {{"--config", "."}, "--config = .: must be a TOML file that can be read: Is a directory"},
+      {{"--config", "/dev/zero"}, "--config = /dev/zero: must be a TOML file of at most 1 MiB"},
+  };
+  for (const Bad &bad : all) {
+    const std::string message = refusal(bad.arguments);
+    CHECK_THAT(message, Catch::Matchers::StartsWith(bad.message));
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("errors in a TOML file name file, line, key and what is allowed") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path / "case.toml").string();
+  struct Bad {
+    std::string text, message;
+  };
+  const std::vector<Bad> all{
+      {"# case\nthickness_mm = \"12\"\n",
+       ":2: thickness_mm = \"12\": must be a number between 0.5 and 100 mm, written without the unit"},
+      {"thickness_mm = -3\n", ":1: thickness_mm = -3: must lie between 0.5 and 100 mm"},
+      {"\n\nvelocity_mps = nan\n", ":3: velocity_mps = nan: must lie between 1 and 3000 m/s"},
+      {"velocity_mps = inf\n", ":1: velocity_mps = inf: must lie between 1 and 3000 m/s"},
+      {"velocity_mps = [1, 2]\n", ":1: velocity_mps = an array: must be a number between 1 and 3000 m/s"},
+      {"threads = 1.5\n", ":1: threads = 1.5: must be a whole number between 1 and "},
+      {"vtk = 1\n", ":1: vtk = 1: must be true or false"},
+      {"out = 3\n", ":1: out = 3: must be the name of a folder"},
+      {"nose = true\n", ":1: nose = true: must be one of blunt, conical, ogival, hemispherical"},
+      {"nose = \"flat\"\n", ":1: nose = \"flat\": must be one of blunt, conical, ogival, hemispherical"},
+      {"thickness = 3\n", ":1: thickness = 3: unknown key; allowed are material, model, thickness_mm, "},
+      {"config = \"b.toml\"\n", ":1: config = b.toml: unknown key; allowed are material"},
+      {"[plate]\nthickness_mm = 3\n", ":1: plate = a table: unknown key; allowed are material"},
+      {"spacing_mm = 7\n", ":1: spacing_mm = 7: must be at most half the thickness of the plate, 6 mm"},
+      {"nose = blunt\n", ":1: "},
+      {"quiet = true\nthickness_mm = \n", ":2: "},
+      {"thickness_mm = 3\nthickness_mm = 4\n", ":2: "},
+      {"\xff\xfe", ":1: "},
+  };
+  for (const Bad &bad : all) {
+    write(file, bad.text);
+    const std::string message = refusal({"--config", file.c_str()});
+    CHECK_THAT(message, Catch::Matchers::StartsWith(file + bad.message));
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("the command line overrides the file, and the last of a flag counts") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path / "case.toml").string();
+  write(file, "thickness_mm = 8\nvelocity_mps = 250.5\nnose = \"ogival\"\nvtk = false\npicture = false\n");
+  const Options o = options_of({"--velocity-mps", "1", "--config", file.c_str(), "--velocity-mps", "260", "--vtk"});
+  CHECK(o.thickness_mm == 8);
+  CHECK(o.velocity_mps == 260);
+  CHECK(o.nose == perforate::Nose::ogival);
+  CHECK(o.friction == 0.08);
+  CHECK(o.vtk);
+  CHECK_FALSE(o.picture);
+  CHECK_FALSE(options_of({"--no-vtk"}).vtk);
+}
+
+TEST_CASE("case.toml runs the same case again") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path / "case.toml").string();
+  Options all;
+  all.material = perforate::PlateMaterial::aa5083_h116_25mm;
+  all.model = perforate::FlowModel::jc;
+  all.thickness_mm = 25.1;
+  all.clamp_radius_mm = 100.0 + 1.0 / 3;
+  all.nose = perforate::Nose::hemispherical;
+  all.projectile = perforate::ProjectileKind::rigid;
+  all.velocity_mps = 1000.0 / 7;
+  all.friction = 1.0 / 30;
+  all.end_us = 100000;
+  all.spacing_mm = 2.0 / 3;
+  all.sph_radius_mm = 30;
+  all.extent = perforate::Extent::half;
+  all.lattice = perforate::Lattice::ring;
+  all.form = perforate::SphForm::standard;
+  all.kernel = perforate::SphKernel::wendland_c2;
+  all.smoothing = perforate::Smoothing::variable;
+  all.element = perforate::ElementRule::selective_reduced;
+  all.pressure = perforate::PressureLaw::mie_gruneisen;
+  all.out = "a \"quoted\" \\ folder";
+  all.output_every_us = 0.01;
+  all.vtk = false;
+  all.picture = false;
+  all.quiet = true;
+  all.threads = 3;
+  for (const Options &o : {all, Options{}, options_of({"--nose", "conical", "--velocity-mps", "214.1"})}) {
+    write(file, perforate::to_toml(o));
+    CHECK(options_of({"--config", file.c_str()}) == o);
+  }
+}
+
+TEST_CASE("help and version stop the run, and help fits a terminal and names every option") {
+  std::ostringstream version;
+  CHECK_FALSE(parse({"--version"}, version));
+  CHECK_THAT(version.str(), Catch::Matchers::StartsWith("perforate 0."));
+
+  std::ostringstream text;
+  CHECK_FALSE(parse({"--quiet", "--help"}, text));
+  for (const char *flag :
+       {"--material",       "--model",   "--thickness-mm", "--nose",       "--velocity-mps",    "--spacing-mm",
+        "--sph-radius-mm",  "--clamp-radius-mm", "--friction",     "--end-us",     "--threads",         "--output-every-us",
+        "--out",            "--config",  "--version",      "--help",       "--kernel",          "--form",
+        "--projectile",     "--lattice", "--smoothing",    "--extent",     "--element",         "--pressure",
+        "--picture",        "--vtk",     "--quiet"})
+    CHECK(text.str().find(std::string("\n  ") + flag) != std::string::npos);
+  std::istringstream lines(text.str());
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+}
+
+TEST_CASE("the output folder is created, and what is in it stays") {
+  const TemporaryFolder folder;
+  Options o;
+  o.out = folder.path / "new" / "results";
+  CHECK(refusal_of_out(o).empty());
+  CHECK(std::filesystem::is_empty(o.out));
+  write(o.out / "history.csv", "old");
+  CHECK(refusal_of_out(o).empty());
+  CHECK(std::filesystem::file_size(o.out / "history.csv") == 3);
+}
+
+TEST_CASE("an output folder that cannot be used is refused, and nothing is left behind") {
+  const TemporaryFolder folder;
+  Options o;
+  const auto refused_with = [&](const std::filesystem::path &out, const std::string &reason) {
+    o.out = out;
+    CHECK_THAT(refusal_of_out(o), Catch::Matchers::StartsWith("--out = " + out.string() + ": " + reason));
+  };
+  write(folder.path / "file", "old");
+  refused_with(folder.path / "file", "must be a folder, but a file of that name is there");
+  refused_with(folder.path / "file" / "below", "must be a folder that can be created: Not a directory");
+  CHECK(std::filesystem::file_size(folder.path / "file") == 3);
+  {
+    const FullDisk disk(0);
+    refused_with(folder.path / "new" / "results", "must be a folder that can be written to: File too large");
+  }
+  CHECK_FALSE(std::filesystem::exists(folder.path / "new"));
+  o.output_every_us = 0.01;
+  o.end_us = 100000;
+  o.spacing_mm = 0.1;
+  refused_with(folder.path / "new" / "results", "needs up to ");
+  CHECK_FALSE(std::filesystem::exists(folder.path / "new"));
+}
+
+TEST_CASE("a folder without permission to write is refused") {
+  const TemporaryFolder folder;
+  Options o;
+  o.out = folder.path / "locked";
+  std::filesystem::create_directory(o.out);
+  std::filesystem::permissions(o.out, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  // The superuser may write anywhere.
+  if (::access(o.out.c_str(), W_OK) == 0) return;
+  const auto refused_with = [&](const std::string &reason) {
+    CHECK_THAT(refusal_of_out(o), Catch::Matchers::StartsWith("--out = " + o.out.string() + ": " + reason));
+  };
+  refused_with("must be a folder that can be written to: Permission denied");
+  o.out /= "below";
+  refused_with("must be a folder that can be created: Permission denied");
+}

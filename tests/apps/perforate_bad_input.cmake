@@ -1,0 +1,55 @@
+# Runs the program with bad input: each must end with status 2, one line on stderr, nothing on stdout, and no new file.
+# Needs -D PERFORATE=<the program>.
+
+set(folder "${CMAKE_CURRENT_BINARY_DIR}/perforate_bad_input")
+file(REMOVE_RECURSE "${folder}")
+file(MAKE_DIRECTORY "${folder}")
+file(WRITE "${folder}/a_file" "old")
+file(WRITE "${folder}/damaged.toml" "quiet = true\nthickness_mm = \n")
+file(WRITE "${folder}/unknown.toml" "thickness = 12\n")
+
+# refused(<what the line must contain> <arguments>...)
+function(refused expected)
+  execute_process(
+    COMMAND "${PERFORATE}" ${ARGN}
+    WORKING_DIRECTORY "${folder}"
+    TIMEOUT 60
+    RESULT_VARIABLE status
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  if(NOT status EQUAL 2)
+    message(SEND_ERROR "${ARGN}: exit status ${status} instead of 2: ${error}")
+  endif()
+  if(NOT error MATCHES "^perforate: error: [^\n]*\n$")
+    message(SEND_ERROR "${ARGN}: not one line: ${error}")
+  endif()
+  string(FIND "${error}" "${expected}" position)
+  if(position EQUAL -1)
+    message(SEND_ERROR "${ARGN}: \"${expected}\" is not in: ${error}")
+  endif()
+  if(NOT output STREQUAL "")
+    message(SEND_ERROR "${ARGN}: wrote to stdout: ${output}")
+  endif()
+endfunction()
+
+refused("--thickness-mm = -3: must lie between 0.5 and 100 mm" --thickness-mm -3)
+refused("--velocity-mps = nan: must lie between 1 and 3000 m/s" --velocity-mps nan)
+refused("--friction = rough: must be a number between 0 and 2" --friction rough)
+refused("--nose = flat: must be one of blunt, conical, ogival, hemispherical" --nose flat)
+refused("--spacing-mm = 7: must be at most half the thickness" --spacing-mm 7)
+refused("--threads = 0: must be a whole number" --threads 0)
+refused("--end-us: needs a value" --end-us)
+refused("--no-such-option: unknown option" --no-such-option)
+refused("--out = a_file: must be a folder" --out a_file)
+refused("--config = missing.toml: must be a TOML file that can be read" --config missing.toml)
+refused("damaged.toml:2: " --config damaged.toml)
+refused("unknown.toml:1: thickness = 12: unknown key" --config unknown.toml)
+
+file(GLOB left RELATIVE "${folder}" "${folder}/*")
+if(NOT left STREQUAL "a_file;damaged.toml;unknown.toml")
+  message(SEND_ERROR "files were added or removed: ${left}")
+endif()
+file(READ "${folder}/a_file" content)
+if(NOT content STREQUAL "old")
+  message(SEND_ERROR "a_file was overwritten")
+endif()

@@ -1,0 +1,162 @@
+#include "ogive/io/section_picture.hpp"
+
+#include "io/sample_frame.hpp"
+#include "io/temporary_folder.hpp"
+
+#include "catch.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <vtkImageData.h>
+#include <vtkPNGReader.h>
+
+using namespace ogive;
+
+namespace {
+
+using Colour = std::array<int, 3>;
+
+vtkSmartPointer<vtkImageData> read_png(const std::filesystem::path &path) {
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+/// The colour at a place of the section (mm) in a picture 800 x 600 with a half height of 30 mm around z = -8 mm.
+Colour colour_at(vtkImageData *image, double x_mm, double z_mm) {
+  const double pixels_per_mm = 600 * 0.93 / 60;
+  const int column = static_cast<int>(800 * 0.87 / 2 + pixels_per_mm * x_mm);
+  const int row = static_cast<int>(600 * 0.93 / 2 + pixels_per_mm * (z_mm + 8));
+  Colour colour{};
+  for (int k = 0; k < 3; ++k)
+    colour[static_cast<std::size_t>(k)] = static_cast<int>(image->GetScalarComponentAsDouble(column, row, 0, k));
+  return colour;
+}
+
+bool reddish(const Colour &c) { return c[0] > 2 * c[2] + 10; }
+bool white(const Colour &c) { return c == Colour{255, 255, 255}; }
+
+SectionPicture small_picture() {
+  SectionPicture picture;
+  picture.width = 800;
+  picture.height = 600;
+  picture.title = "t = 60 µs, v = 141 m/s";
+  picture.style.mesh_edges = false;
+  return picture;
+}
+
+void check_section(vtkImageData *image) {
+  REQUIRE(image->GetDimensions()[0] == 800);
+  REQUIRE(image->GetDimensions()[1] == 600);
+  for (const double side : {-1.0, 1.0}) {
+    INFO("side " << side);
+    CHECK(white(colour_at(image, 20 * side, 10)));
+    CHECK(white(colour_at(image, 20 * side, -25)));
+    for (const auto &[x, z] : {std::pair{4., 5.}, {17., -6.}, {30., -6.}, {4., -15.}})
+      CHECK_FALSE(white(colour_at(image, x * side, z)));
+    CHECK(reddish(colour_at(image, 9.5 * side, -18)));
+    CHECK_FALSE(reddish(colour_at(image, 3 * side, -15)));
+    CHECK_FALSE(reddish(colour_at(image, 30 * side, -6)));
+  }
+}
+
+/// A quarter model made whole at x = 0.
+template <class Part> void mirror(Part &part) {
+  for (auto &x : part.positions) x[0] = -x[0];
+  part.name += "_left";
+}
+
+} // namespace
+
+TEST_CASE("without a display a picture is refused, and a program goes on") {
+  const TemporaryFolder folder;
+  const char *before = std::getenv("DISPLAY");
+  const std::string kept = before ? before : "";
+  for (const char *name : {"", ":987654", "nonsense"}) {
+    ::setenv("DISPLAY", name, 1);
+    CHECK_FALSE(display_available());
+    CHECK_THROWS_AS(render_section(sample::perforated_plate(), {true, true}, folder.path / "a.png"), WriteError);
+  }
+  if (before) ::setenv("DISPLAY", kept.c_str(), 1);
+  else ::unsetenv("DISPLAY");
+  CHECK(count_files(folder.path) == 0);
+}
+
+TEST_CASE("a picture's size, range and field are checked") {
+  const TemporaryFolder folder;
+  const auto refuse = [&](const SectionPicture &picture) {
+    CHECK_THROWS_AS(render_section(sample::perforated_plate(), {true, true}, folder.path / "a.png", picture),
+                    SetupError);
+  };
+  auto picture = small_picture();
+  picture.width = 0;
+  refuse(picture);
+  picture = small_picture();
+  picture.half_height_mm = 0;
+  refuse(picture);
+  picture = small_picture();
+  picture.style.largest = picture.style.smallest;
+  refuse(picture);
+  picture = small_picture();
+  picture.style.field = "heat";
+  refuse(picture);
+}
+
+TEST_CASE("the section of a quarter model shows both halves, the plug's shear band and the projectile") {
+  if (!display_available()) {
+    WARN("skipped: there is no display");
+    return;
+  }
+  const TemporaryFolder folder;
+  const auto path = folder.path / "section.png";
+  render_section(sample::perforated_plate(), {true, true}, path, small_picture());
+  const auto image = read_png(path);
+  check_section(image);
+  const Colour projectile = colour_at(image, 4, 5), plate = colour_at(image, 30, -6);
+  CHECK(projectile[1] + 40 < plate[1]);
+  CHECK(count_files(folder.path) == 1);
+}
+
+TEST_CASE("the section of a model without symmetry is cut open") {
+  if (!display_available()) {
+    WARN("skipped: there is no display");
+    return;
+  }
+  const TemporaryFolder folder;
+  Frame frame;
+  for (const float turn : {1.F, -1.F}) {
+    Frame quarter = sample::perforated_plate();
+    const auto add = [&](auto part, auto &parts, const char *name, bool left) {
+      for (auto &x : part.positions) x[1] *= turn;
+      if (left) mirror(part);
+      part.name = name;
+      parts.push_back(part);
+    };
+    for (const bool left : {false, true}) {
+      add(quarter.clouds[0], frame.clouds, "plate", left);
+      add(quarter.grids[0], frame.grids, "rim", left);
+      add(quarter.grids[1], frame.grids, "projectile", left);
+    }
+  }
+  // The half in front would hide the section: its particles are marked by strain.
+  for (auto &cloud : frame.clouds)
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+      if (cloud.positions[i][1] < 0) cloud.fields[0].values[i] = 1;
+  for (auto &grid : frame.grids)
+    if (grid.positions.back()[1] < -1e-6F || grid.positions[8][1] < -1e-6F)
+      for (auto &value : grid.cell_fields[0].values) value = 1;
+  render_section(frame, {}, folder.path / "section.png", small_picture());
+  check_section(read_png(folder.path / "section.png"));
+}
+
+TEST_CASE("a picture that cannot be written says so") {
+  if (!display_available()) {
+    WARN("skipped: there is no display");
+    return;
+  }
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(
+      render_section(sample::perforated_plate(), {true, true}, folder.path / "gone" / "a.png", small_picture()),
+      WriteError);
+}

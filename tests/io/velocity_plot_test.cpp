@@ -1,0 +1,93 @@
+#include "ogive/io/velocity_plot.hpp"
+
+#include "io/temporary_folder.hpp"
+#include "ogive/io/csv.hpp"
+
+#include "catch.hpp"
+
+#include <cstdlib>
+
+using namespace ogive;
+
+namespace {
+
+std::filesystem::path sample_history(const std::filesystem::path &folder, const std::string &name = "history.csv") {
+  auto csv = open_csv(folder / name, {"step", "time_us", "velocity_m_per_s"});
+  for (int k = 0; k <= 20; ++k) add_row(csv, {100.0 * k, 5.0 * k, 303.5 - (k < 12 ? 14.0 * k : 160.0)});
+  return csv.path;
+}
+
+bool has(const std::string &text, const std::string &part) { return text.find(part) != std::string::npos; }
+
+} // namespace
+
+TEST_CASE("the velocity of a history becomes an SVG with names and units") {
+  if (!gnuplot_available()) {
+    WARN("skipped: there is no gnuplot");
+    return;
+  }
+  const TemporaryFolder folder;
+  const auto history = sample_history(folder.path);
+  VelocityPlot plot;
+  plot.title = "Weldox_460 E, 12 mm";
+  plot.measured_residual_m_per_s = 199.7;
+  write_velocity_plot(history, folder.path / "velocity.svg", plot);
+  const std::string svg = read_text(folder.path / "velocity.svg");
+  CHECK(has(svg, "</svg>"));
+  for (const char *text : {"time / µs", "projectile velocity / (m/s)", "Weldox_460 E, 12 mm", "computed",
+                           "measured residual velocity: 199.7 m/s"})
+    CHECK(has(svg, text));
+  CHECK(count_files(folder.path) == 2);
+  write_velocity_plot(history, folder.path / "velocity.svg");
+  CHECK_FALSE(has(read_text(folder.path / "velocity.svg"), "measured"));
+}
+
+TEST_CASE("names and titles are data to gnuplot, never commands") {
+  if (!gnuplot_available()) {
+    WARN("skipped: there is no gnuplot");
+    return;
+  }
+  const TemporaryFolder folder;
+  const auto history = sample_history(folder.path, "it's; `touch x` \"$HOME\".csv");
+  VelocityPlot plot;
+  plot.title = "'; system('touch " + (folder.path / "broken_in").string() + "'); '`id` <b>";
+  write_velocity_plot(history, folder.path / "o'clock & \\n.svg", plot);
+  CHECK(has(read_text(folder.path / "o'clock & \\n.svg"), "</svg>"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "broken_in"));
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path);
+  const auto piped = sample_history("", "< touch broken_in");
+  CHECK_NOTHROW(write_velocity_plot(piped, "| touch broken_in"));
+  std::filesystem::current_path(here);
+  CHECK(std::filesystem::exists(folder.path / "| touch broken_in"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "broken_in"));
+  plot.title = "two\nlines";
+  CHECK_THROWS_AS(write_velocity_plot(history, folder.path / "a.svg", plot), SetupError);
+}
+
+TEST_CASE("a history without the columns, or none, is refused") {
+  const TemporaryFolder folder;
+  const auto history = sample_history(folder.path);
+  CHECK(csv_column(history, "step") == 1);
+  CHECK(csv_column(history, "velocity_m_per_s") == 3);
+  CHECK_THROWS_WITH(csv_column(history, "time"),
+                    history.string() + " column = time: must be one of step,time_us,velocity_m_per_s");
+  CHECK_THROWS_AS(write_velocity_plot(folder.path / "none.csv", folder.path / "a.svg"), SetupError);
+}
+
+TEST_CASE("a plot that gnuplot cannot draw leaves the old one") {
+  const TemporaryFolder folder;
+  const auto history = sample_history(folder.path);
+  const auto empty = folder.path / "empty.csv";
+  { const auto csv = open_csv(empty, {"time_us", "velocity_m_per_s"}); }
+  write_atomically(folder.path / "old.svg", "old");
+  CHECK_THROWS_AS(write_velocity_plot(empty, folder.path / "old.svg"), WriteError);
+  CHECK(read_text(folder.path / "old.svg") == "old");
+  CHECK_THROWS_AS(write_velocity_plot(history, folder.path / "gone" / "a.svg"), WriteError);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path.c_str(), 1);
+  CHECK_FALSE(gnuplot_available());
+  CHECK_THROWS_WITH(write_velocity_plot(history, folder.path / "old.svg"), Catch::Contains("gnuplot is not installed"));
+  ::setenv("PATH", path.c_str(), 1);
+  CHECK(count_files(folder.path) == 3);
+}

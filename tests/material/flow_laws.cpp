@@ -1,0 +1,193 @@
+#include "catch.hpp"
+
+#include "ogive/material/library.hpp"
+#include "ogive/material/stress_update.hpp"
+
+#include <cmath>
+
+using namespace ogive;
+
+namespace {
+
+Mat3<double> uniaxial_rate(double axial, double lateral) {
+  Mat3<double> L = Mat3<double>::Zero();
+  L.diagonal() << axial, lateral, lateral;
+  return L;
+}
+
+/// Central difference of the flow stress in one argument.
+template <class F> double slope(F &&f, double x, double dx) { return (f(x + dx) - f(x - dx)) / (2 * dx); }
+
+template <class Law> void check_derivatives(const Law &law) {
+  const double e = 0.2, r = 1e4, t = 600;
+  const auto at = flow_stress(law, e, r, t);
+  // Central differences are good to the square of their step, about 1e-8 relative here.
+  CHECK(at.by_plastic_strain == Approx(slope([&](double x) { return flow_stress(law, x, r, t).value; }, e, 1e-5)).epsilon(1e-6).margin(1));
+  CHECK(at.by_rate == Approx(slope([&](double x) { return flow_stress(law, e, x, t).value; }, r, 1.0)).epsilon(1e-6).margin(1e-6));
+  CHECK(at.by_temperature == Approx(slope([&](double x) { return flow_stress(law, e, r, x).value; }, t, 0.01)).epsilon(1e-6).margin(1e-3));
+}
+
+} // namespace
+
+TEST_CASE("modified Johnson-Cook gives Eq. 2 by hand", "[material]") {
+  const auto m = library::weldox_460e_mjc<double>();
+  // (503 + 581 * 0.1^0.481) MPa * 1000^0.01 * (1 - 0.5^0.94), T* = 0.5 at 1046.5 K: each factor from a hand calculator,
+  // six digits.
+  CHECK(flow_stress(m.flow, 0.1, 1.0, 293.0).value == Approx(694.944e6).epsilon(2e-5));
+  CHECK(flow_stress(m.flow, 0.1, 1000.0, 293.0).value / flow_stress(m.flow, 0.1, 1.0, 293.0).value ==
+        Approx(1.071519).epsilon(1e-6));
+  CHECK(flow_stress(m.flow, 0.1, 1.0, 1046.5).value / flow_stress(m.flow, 0.1, 1.0, 293.0).value ==
+        Approx(1 - 0.521233).epsilon(1e-5));
+}
+
+TEST_CASE("the thermal factor is clamped below room and above melting temperature", "[material]") {
+  const auto law = library::weldox_460e_mjc<double>().flow;
+  CHECK(flow_stress(law, 0.1, 1.0, 200.0).value == flow_stress(law, 0.1, 1.0, 293.0).value);
+  CHECK(flow_stress(law, 0.1, 1.0, 1800.0).value == 0.0);
+  CHECK(flow_stress(law, 0.1, 1.0, 5000.0).value == 0.0);
+  CHECK(std::isfinite(flow_stress(law, 0.0, 1.0, 293.0).by_plastic_strain));
+}
+
+TEST_CASE("the classical law has both published rate factors", "[material]") {
+  JohnsonCook<double> law{490e6, 383e6, 0.45, 0.0123, 0.94, 5e-4, 293, 1800, RateFactor::logarithmic};
+  const double quasi_static = 490e6 + 383e6 * std::pow(0.05, 0.45);
+  CHECK(flow_stress(law, 0.05, 500.0, 293.0).value == Approx(quasi_static * (1 + 0.0123 * std::log(1e6))));
+  CHECK(flow_stress(law, 0.05, 1e-5, 293.0).value == Approx(quasi_static));
+  law.rate_factor = RateFactor::power;
+  CHECK(flow_stress(law, 0.05, 500.0, 293.0).value == Approx(quasi_static * std::pow(1 + 1e6, 0.0123)));
+}
+
+TEST_CASE("flow laws give the derivatives of their stress", "[material]") {
+  check_derivatives(library::weldox_460e_mjc<double>().flow);
+  check_derivatives(library::weldox_460e_jc<double>().flow);
+  auto logarithmic = library::weldox_460e_jc<double>().flow;
+  logarithmic.rate_factor = RateFactor::logarithmic;
+  check_derivatives(logarithmic);
+  check_derivatives(library::arne_tool_steel<double>().flow);
+}
+
+TEST_CASE("bilinear hardening under uniaxial strain follows the closed form", "[material]") {
+  auto m = library::arne_tool_steel<double>();
+  m.specific_heat = 0;
+  auto p = initial_point(m);
+  // Laterally held compression: s_axial = -2/3 q. Elastic up to q = yield; beyond, 3G (e_dev - ep) = yield + H ep with the
+  // equivalent strain 2/3 of the axial one. Compression makes the sign; logarithmic strain is exact for the rate.
+  const double strain = 0.04, steps = 4000, G = shear_modulus(m.elasticity);
+  for (int i = 0; i < steps; ++i) {
+    const double stretch = 1 - strain / steps; // of this step, so that the midstep rate integrates to its logarithm
+    const double L = (stretch - 1) / stretch;
+    p = updated(m, p, uniaxial_rate(L / 1e-8, 0), 1e-8);
+  }
+  const double log_strain = -steps * std::log(1 - strain / steps);
+  const double equivalent = 2.0 / 3.0 * log_strain;
+  const double plastic = (3 * G * equivalent - m.flow.yield) / (3 * G + m.flow.hardening);
+  // The midstep rate differs from the logarithm by strain^3/12 of a step: 1e-15. Round-off remains.
+  CHECK(p.plastic_strain == Approx(plastic).epsilon(1e-6));
+  CHECK(p.deviator.xx == Approx(-2.0 / 3.0 * (m.flow.yield + m.flow.hardening * plastic)).epsilon(1e-6));
+  CHECK(p.density == Approx(m.density * std::exp(log_strain)).epsilon(1e-6));
+  CHECK(p.pressure == Approx(bulk_modulus(m.elasticity) * (std::exp(log_strain) - 1)).epsilon(1e-6));
+}
+
+TEMPLATE_TEST_CASE("simple shear at a constant rate follows the flow law, temperature included", "[material]",
+                   ModifiedJohnsonCook<double>, JohnsonCook<double>) {
+  const auto metal = [] {
+    if constexpr (std::is_same_v<TestType, ModifiedJohnsonCook<double>>)
+      return library::weldox_460e_mjc<double>();
+    else
+      return library::weldox_460e_jc<double>();
+  }();
+  const double rate = 1e4, dt = 1e-9;
+  Mat3<double> L = Mat3<double>::Zero();
+  L(0, 1) = rate * std::sqrt(3.0);
+  auto p = initial_point(metal);
+  // Closed form: dT = beta sigma(ep, rate, T) dep / (rho cp), integrated with a fine midpoint rule along the plastic strain.
+  for (int i = 0; i < 30000; ++i) p = updated(metal, p, L, dt);
+  double T = 293;
+  const int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    const double de = p.plastic_strain / n, e = (i + 0.5) * de;
+    T += 0.9 * flow_stress(metal.flow, e, rate, T).value * de / (metal.density * metal.specific_heat);
+  }
+  CHECK(p.plastic_strain == Approx(0.3).epsilon(0.02)); // total less elastic strain, about 0.0045
+  // Elastic strain lags the hardening a little, so that the plastic rate is within 1 % of the total one.
+  CHECK(p.plastic_strain_rate == Approx(rate).epsilon(0.01));
+  CHECK(p.temperature == Approx(T).epsilon(1e-3));
+  CHECK(von_mises(p.deviator) ==
+        Approx(flow_stress(metal.flow, p.plastic_strain, p.plastic_strain_rate, p.temperature).value).epsilon(1e-6));
+}
+
+TEST_CASE("a rotating stressed point keeps its principal stresses", "[material]") {
+  const auto m = library::weldox_460e_mjc<double>();
+  auto p = initial_point(m);
+  p = updated(m, p, uniaxial_rate(1e3, -300), 1e-6);
+  const auto start = p;
+  // Positions at the end of a step: x_end = R x_start, so L = (I - R^-1)/dt; 0.1 rad a step, a hundred times that of a run.
+  const double angle = 0.1, dt = 1e-7;
+  Mat3<double> back;
+  back << std::cos(angle), std::sin(angle), 0, -std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+  const Mat3<double> L = (Mat3<double>::Identity() - back) / dt;
+  for (int i = 0; i < 1000; ++i) p = updated(m, p, L, dt);
+  // Exact up to round-off: the midstep gradient of a rotation is skew, and Hughes-Winget is orthogonal.
+  CHECK(von_mises(p.deviator) == Approx(von_mises(start.deviator)).epsilon(1e-10));
+  CHECK(p.density == Approx(start.density).epsilon(1e-12));
+  // The step rotation is exact: after 1000 steps the axis stands at 100 rad.
+  const double c = std::cos(100.0), s = std::sin(100.0);
+  CHECK(p.deviator.xy == Approx(c * s * (start.deviator.xx - start.deviator.yy)).margin(1e-6 * von_mises(start.deviator)));
+}
+
+TEST_CASE("radial return leaves elastic states alone and ends on the yield surface", "[material]") {
+  const auto m = library::weldox_460e_mjc<double>();
+  auto p = initial_point(m);
+  CHECK(radial_return(m, p, 100e6, 1e-8).increment == 0.0);
+  for (const double q : {600e6, 2e9, 50e9, 500e9}) {
+    const auto r = radial_return(m, p, q, 1e-8);
+    const double t = p.temperature + 0.9 * r.flow_stress * r.increment / (m.density * m.specific_heat);
+    const double sigma = flow_stress(m.flow, p.plastic_strain + r.increment, std::max(r.increment / 1e-8, 1.0), t).value;
+    CHECK(r.flow_stress == Approx(sigma).epsilon(1e-5).margin(1e-7 * q));
+  }
+}
+
+TEST_CASE("work of the stresses is elastic energy on an elastic path", "[material]") {
+  auto m = library::weldox_460e_mjc<double>();
+  m.flow.A = 1e12;
+  auto p = initial_point(m);
+  Mat3<double> L;
+  L << 100, 40, 0, -20, -50, 10, 5, 0, 30;
+  for (int i = 0; i < 1000; ++i) p = updated(m, p, L, 1e-8);
+  const double stored = double_dot(p.deviator, p.deviator) / (4 * shear_modulus(m.elasticity)) +
+                        p.pressure * p.pressure / (2 * bulk_modulus(m.elasticity));
+  // Strain 1e-3: second-order terms of density and rotation are 1e-3 of the energy.
+  CHECK(p.internal_energy * p.density == Approx(stored).epsilon(2e-3));
+}
+
+TEST_CASE("pressure laws agree for small compressions and Mie-Grueneisen follows the Hugoniot", "[material]") {
+  const auto m = library::weldox_460e_mjc<double>();
+  const double K = bulk_modulus(m.elasticity);
+  EquationOfState<double> shock{PressureLaw::mie_gruneisen, 1.49, 1.93};
+  CHECK(pressure(shock, K, 1e-5, 0.0) == Approx(pressure(EquationOfState<double>{}, K, 1e-5, 0.0)).epsilon(1e-4));
+  // On the Hugoniot p = rho0 Us up, E = rho0 up^2/2, eta = up/Us (Rankine-Hugoniot): exact.
+  const double rho = m.density, c0 = std::sqrt(K / rho), up = 500, us = c0 + 1.49 * up, eta = up / us;
+  CHECK(pressure(shock, K, eta / (1 - eta), 0.5 * rho * up * up) == Approx(rho * us * up).epsilon(1e-12));
+}
+
+TEST_CASE("damage grows by the plastic strain over the failure strain", "[material]") {
+  auto m = library::weldox_460e_mjc<double>();
+  m.failure = {0.0705, 1.732, -0.54, -0.0123, 0.0};
+  CHECK(failure_strain(m.failure, 1.0 / 3.0, 1.0, 0.0) == Approx(0.0705 + 1.732 * std::exp(-0.18)));
+  auto p = initial_point(m);
+  Mat3<double> L = Mat3<double>::Zero();
+  L(0, 1) = 1e4 * std::sqrt(3.0);
+  for (int i = 0; i < 10000; ++i) p = updated(m, p, L, 1e-9);
+  // Simple shear: triaxiality stays 0 and the rate is constant, so that D = ep/ef.
+  const double ef = (0.0705 + 1.732) * std::pow(1e4, -0.0123);
+  CHECK(p.damage == Approx(p.plastic_strain / ef).epsilon(2e-3));
+}
+
+TEST_CASE("metals with impossible constants are refused by name", "[material]") {
+  auto m = library::weldox_460e_mjc<double>();
+  m.density = -1;
+  CHECK_THROWS_WITH(check(m), Catch::Contains("weldox_460e density") && Catch::Contains("-1"));
+  m = library::weldox_460e_mjc<double>();
+  m.elasticity.poisson = 0.5;
+  CHECK_THROWS_WITH(check(m), Catch::Contains("Poisson"));
+}
