@@ -38,8 +38,8 @@ auto particles_and_hex() {
   Hexes projectile;
   projectile.name = "projectile";
   projectile.metal = library::arne_tool_steel<double>();
-  projectile.nodes = add_nodes(nodes, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                       {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}});
+  projectile.nodes =
+      add_nodes(nodes, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}});
   set_velocity(nodes, projectile.nodes, Vec3<double>(1, 2, -300));
   projectile.hexes = {{2, 3, 4, 5, 6, 7, 8, 9}};
   fill(projectile.points, 8, stressed_point());

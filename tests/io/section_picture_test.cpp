@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <vtkImageData.h>
@@ -61,12 +62,6 @@ void check_section(vtkImageData *image) {
   }
 }
 
-/// A quarter model made whole at x = 0.
-template <class Part> void mirror(Part &part) {
-  for (auto &x : part.positions) x[0] = -x[0];
-  part.name += "_left";
-}
-
 } // namespace
 
 TEST_CASE("without a display a picture is refused, and a program goes on") {
@@ -78,8 +73,10 @@ TEST_CASE("without a display a picture is refused, and a program goes on") {
     CHECK_FALSE(display_available());
     CHECK_THROWS_AS(render_section(sample::perforated_plate(), {true, true}, folder.path / "a.png"), WriteError);
   }
-  if (before) ::setenv("DISPLAY", kept.c_str(), 1);
-  else ::unsetenv("DISPLAY");
+  if (before)
+    ::setenv("DISPLAY", kept.c_str(), 1);
+  else
+    ::unsetenv("DISPLAY");
   CHECK(count_files(folder.path) == 0);
 }
 
@@ -99,8 +96,10 @@ TEST_CASE("a picture's size, range and field are checked") {
   picture.style.largest = picture.style.smallest;
   refuse(picture);
   picture = small_picture();
-  picture.style.field = "heat";
-  refuse(picture);
+  for (const char *field : {"heat", "velocity_m_per_s"}) {
+    picture.style.field = field;
+    refuse(picture);
+  }
 }
 
 TEST_CASE("the section of a quarter model shows both halves, the plug's shear band and the projectile") {
@@ -124,28 +123,21 @@ TEST_CASE("the section of a model without symmetry is cut open") {
     return;
   }
   const TemporaryFolder folder;
+  const Frame quarter = sample::perforated_plate();
   Frame frame;
-  for (const float turn : {1.F, -1.F}) {
-    Frame quarter = sample::perforated_plate();
-    const auto add = [&](auto part, auto &parts, const char *name, bool left) {
-      for (auto &x : part.positions) x[1] *= turn;
-      if (left) mirror(part);
-      part.name = name;
-      parts.push_back(part);
-    };
-    for (const bool left : {false, true}) {
-      add(quarter.clouds[0], frame.clouds, "plate", left);
-      add(quarter.grids[0], frame.grids, "rim", left);
-      add(quarter.grids[1], frame.grids, "projectile", left);
+  for (const float x_sign : {1.F, -1.F})
+    for (const float y_sign : {1.F, -1.F}) {
+      Frame turned = quarter;
+      const auto turn = [&](auto &part, Field &strain) {
+        for (auto &x : part.positions) x = Vec3<float>(x_sign * x[0], y_sign * x[1], x[2]);
+        // The half in front would hide the section: all of it is marked by strain.
+        if (y_sign < 0) std::fill(strain.values.begin(), strain.values.end(), 1.F);
+      };
+      turn(turned.clouds[0], turned.clouds[0].fields[0]);
+      for (auto &grid : turned.grids) turn(grid, grid.cell_fields[0]);
+      frame.clouds.push_back(turned.clouds[0]);
+      frame.grids.insert(frame.grids.end(), turned.grids.begin(), turned.grids.end());
     }
-  }
-  // The half in front would hide the section: its particles are marked by strain.
-  for (auto &cloud : frame.clouds)
-    for (std::size_t i = 0; i < cloud.positions.size(); ++i)
-      if (cloud.positions[i][1] < 0) cloud.fields[0].values[i] = 1;
-  for (auto &grid : frame.grids)
-    if (grid.positions.back()[1] < -1e-6F || grid.positions[8][1] < -1e-6F)
-      for (auto &value : grid.cell_fields[0].values) value = 1;
   render_section(frame, {}, folder.path / "section.png", small_picture());
   check_section(read_png(folder.path / "section.png"));
 }

@@ -153,9 +153,9 @@ TEST_CASE("a frame that does not fit on the disk leaves the earlier ones") {
   const std::string before = read_text(folder.path / "run.pvd");
   {
     const FullDisk full(2000);
-    CHECK_THROWS_WITH(add_frame(series, frame),
-                      "cannot write " + (folder.path / "frames" / "run_plate_sph_0001.vtu").string() +
-                          ": File too large");
+    CHECK_THROWS_WITH(add_frame(series, frame), "cannot write " +
+                                                    (folder.path / "frames" / "run_plate_sph_0001.vtu").string() +
+                                                    ": File too large");
   }
   CHECK(series.frames == 1);
   CHECK(read_text(folder.path / "run.pvd") == before);
@@ -175,8 +175,7 @@ TEST_CASE("a series whose folder has gone says so") {
 
 TEST_CASE("names that cannot stand in a file's name are refused") {
   const TemporaryFolder folder;
-  for (const char *name : {"", "a/b", "..", "a b", "a\"b"})
-    CHECK_THROWS_AS(open_series(folder.path, name), SetupError);
+  for (const char *name : {"", "a/b", "..", "a b", "a\"b"}) CHECK_THROWS_AS(open_series(folder.path, name), SetupError);
   auto series = open_series(folder.path, "run");
   Frame frame = sample::perforated_plate();
   frame.grids[0].name = "plate rim";

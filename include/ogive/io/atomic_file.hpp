@@ -35,8 +35,10 @@ inline int write_and_sync(const std::filesystem::path &path, std::string_view by
   int error = 0;
   while (!bytes.empty() && error == 0) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written >= 0) bytes.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR) error = errno;
+    if (written >= 0)
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error = errno;
   }
   if (error == 0 && ::fsync(file) != 0) error = errno;
   // Network file systems report a full disk only here.

@@ -144,8 +144,10 @@ template <class M> Frame gather_frame(const M &model) {
   int part = 0;
   // Found with the model, in sim/model.hpp: pictures of frames alone do not compile contact and ties.
   for_each_body(model, [&](const auto &body) {
-    if constexpr (requires { body.hexes; }) frame.grids.push_back(gather_grid(model.nodes, body, part++));
-    else frame.clouds.push_back(gather_cloud(model.nodes, body, part++));
+    if constexpr (requires { body.hexes; })
+      frame.grids.push_back(gather_grid(model.nodes, body, part++));
+    else
+      frame.clouds.push_back(gather_cloud(model.nodes, body, part++));
   });
   return frame;
 }

@@ -4,7 +4,12 @@
 #include "ogive/io/display.hpp"
 #include "ogive/io/section_scene.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <filesystem>
+#include <string>
+#include <utility>
 #include <vtkActor2D.h>
 #include <vtkAutoInit.h>
 #include <vtkCamera.h>
@@ -30,13 +35,13 @@ namespace ogive {
 /// What a picture of the section shows, and how large.
 struct SectionPicture {
   SectionStyle style{};
-  std::string title{};               ///< one line above the picture: case, time, velocity
-  std::string bar_title{};           ///< beside the colours; the field's name if empty
-  double half_height_mm = 30;        ///< half of what is seen from bottom to top
-  double centre_z_mm = -8;           ///< height in the middle of the picture; the plate's front face is z = 0
-  double scale_bar_mm = 10;          ///< length of the scale bar
-  int width = 1600;                  ///< pixels
-  int height = 1200;                 ///< pixels
+  std::string title{};        ///< one line above the picture: case, time, velocity
+  std::string bar_title{};    ///< beside the colours; the field's name if empty
+  double half_height_mm = 30; ///< half of what is seen from bottom to top
+  double centre_z_mm = -8;    ///< height in the middle of the picture; the plate's front face is z = 0
+  double scale_bar_mm = 10;   ///< length of the scale bar
+  int width = 1600;           ///< pixels
+  int height = 1200;          ///< pixels
 };
 
 /// A line of text at (x, y) of the page, both 0 to 1.
@@ -111,9 +116,6 @@ inline void render_section(const Frame &frame, SymmetryPlanes planes, const std:
   require(picture.half_height_mm > 0, "half height of the picture (mm)", picture.half_height_mm, "must be positive");
   require(picture.style.largest > picture.style.smallest, "largest value of the colours", picture.style.largest,
           "must be above the smallest");
-  if (!display_available())
-    throw write_error(path, "drawing needs an X server with GLX; set DISPLAY, or run the program under xvfb-run");
-
   const auto colours = section_colours(picture.style);
   const double scene_width = 0.87, scene_height = 0.93;
   const double page_width_mm = 2 * picture.half_height_mm / scene_height * picture.width / picture.height;
@@ -150,6 +152,9 @@ inline void render_section(const Frame &frame, SymmetryPlanes planes, const std:
   scale->AddActor2D(page_bar(0.03, 0.04, bar_length, 0.006));
   scale->AddActor2D(page_text(label, 0.03 + bar_length / 2, 0.07, font_size));
 
+  // VTK crashes at its first window where there is none.
+  if (!display_available())
+    throw write_error(path, "drawing needs an X server with GLX; set DISPLAY, or run the program under xvfb-run");
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8);

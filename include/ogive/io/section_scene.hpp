@@ -4,6 +4,8 @@
 #include "ogive/io/vtk_data_set.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 #include <vtkActor.h>
@@ -26,11 +28,11 @@ namespace ogive {
 
 /// How the parts of a section are drawn.
 struct SectionStyle {
-  std::string field = "plastic_strain";               ///< a scalar field of particles and cells that gives the colour
-  double smallest = 0;                                ///< value of the first colour
-  double largest = 1.5;                               ///< value of the last colour
-  std::vector<std::string> grey_parts{"projectile"};  ///< drawn in one grey instead
-  bool mesh_edges = true;                             ///< thin lines between hexes
+  std::string field = "plastic_strain";              ///< a scalar field of particles and cells that gives the colour
+  double smallest = 0;                               ///< value of the first colour
+  double largest = 1.5;                              ///< value of the last colour
+  std::vector<std::string> grey_parts{"projectile"}; ///< drawn in one grey instead
+  bool mesh_edges = true;                            ///< thin lines between hexes
 };
 
 /// The colours: light grey for the metal as it was, through yellow and red to almost black.
@@ -49,6 +51,16 @@ inline bool drawn_grey(const SectionStyle &style, const std::string &part) {
   return std::find(style.grey_parts.begin(), style.grey_parts.end(), part) != style.grey_parts.end();
 }
 
+/// The field that gives the colour of a part's `count` particles or cells. Throws SetupError if the part lacks it or if
+/// it is not one number for each.
+inline const Field &colour_field(const std::vector<Field> &fields, const SectionStyle &style, const std::string &part,
+                                 std::size_t count) {
+  const Field &field = find_field(fields, style.field, part);
+  require(field.values.size() == count, part + " " + field.name + " values", field.values.size(),
+          "must be one for each of " + std::to_string(count));
+  return field;
+}
+
 /// Sets what the surfaces of a section share: mostly ambient light, so that colours can be read off, some shading.
 inline void set_matt(vtkProperty *property, double ambient) {
   property->SetAmbient(ambient);
@@ -65,7 +77,7 @@ inline vtkSmartPointer<vtkActor> section_actor(const PointCloud &cloud, Symmetry
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkFloatArray> values;
   values->SetName("value");
-  const Field *field = grey ? nullptr : &find_field(cloud.fields, style.field, cloud.name);
+  const Field *field = grey ? nullptr : &colour_field(cloud.fields, style, cloud.name, cloud.positions.size());
   for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
     const Vec3<float> &x = cloud.positions[i];
     // Particles in the plane itself stay, whatever the round-off.
@@ -97,7 +109,7 @@ inline vtkSmartPointer<vtkActor> section_actor(const PointCloud &cloud, Symmetry
 inline vtkSmartPointer<vtkActor> section_actor(const HexGrid &hexes, SymmetryPlanes planes, const SectionStyle &style,
                                                vtkColorTransferFunction *colours) {
   const bool grey = drawn_grey(style, hexes.name);
-  if (!grey) find_field(hexes.cell_fields, style.field, hexes.name);
+  if (!grey) colour_field(hexes.cell_fields, style, hexes.name, hexes.hexes.size());
   vtkSmartPointer<vtkUnstructuredGrid> solid = to_vtk(hexes);
   if (!planes.y) {
     vtkNew<vtkPlane> plane;

@@ -65,7 +65,8 @@ inline std::string gnuplot_quoted(const std::string &text) {
   std::string quoted = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 || std::isalnum(byte) || c == ' ' || c == '/' || c == '.' || c == '_' || c == '-') quoted += c;
+    if (byte >= 0x80 || std::isalnum(byte) || c == ' ' || c == '/' || c == '.' || c == '_' || c == '-')
+      quoted += c;
     else {
       std::array<char, 8> octal{};
       std::snprintf(octal.data(), octal.size(), "\\%03o", static_cast<unsigned>(byte));
@@ -104,13 +105,15 @@ inline std::string velocity_plot_script(const std::filesystem::path &history, co
   if (!plot.title.empty()) script += "set title " + gnuplot_quoted(plot.title) + "; ";
   // Absolute, because gnuplot takes a name that begins with '<' or '|' for a command.
   script += "set output " + gnuplot_quoted(std::filesystem::absolute(output).string()) + "; plot " +
-            gnuplot_quoted(std::filesystem::absolute(history).string()) + " using " + columns + " every ::1 with lines linewidth 3 linecolor '#1f5fa8' title " + gnuplot_quoted(plot.curve);
+            gnuplot_quoted(std::filesystem::absolute(history).string()) + " using " + columns +
+            " every ::1 with lines linewidth 3 linecolor '#1f5fa8' title " + gnuplot_quoted(plot.curve);
   if (plot.measured_residual_m_per_s) {
     std::array<char, 32> value{};
     std::snprintf(value.data(), value.size(), "%.10g", *plot.measured_residual_m_per_s);
-    script += std::string(", ") + value.data() +
-              " with lines linewidth 2 dashtype 2 linecolor '#c0392b' title 'measured residual velocity: " +
-              value.data() + " m/s'";
+    script +=
+        std::string(", ") + value.data() +
+        " with lines linewidth 2 dashtype 2 linecolor '#c0392b' title 'measured residual velocity: " + value.data() +
+        " m/s'";
   }
   return script + "; unset output";
 }

@@ -38,8 +38,8 @@ inline vtkSmartPointer<vtkPoints> to_vtk_points(const std::vector<Vec3<float>> &
   return points;
 }
 
-/// Adds the fields of a part as arrays on its `count` points or cells. Throws SetupError for a field whose size does not
-/// fit.
+/// Adds the fields of a part as arrays on its `count` points or cells. Throws SetupError for a field whose size does
+/// not fit.
 inline void add_fields(vtkDataSetAttributes *attributes, const std::vector<Field> &fields, const std::string &part,
                        std::size_t count) {
   constexpr std::array vector_names{"X", "Y", "Z"};

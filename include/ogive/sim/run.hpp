@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace ogive {
 
@@ -40,7 +41,7 @@ template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...>
   return dt;
 }
 
-/// Steps the model to `options.end_time`. `observer(model, ledger)` is called at the start, every `observe_every` and at
+/// Steps the model to `options.end_time`. `observer(model, ledger)` (model const) is called at the start, every `observe_every` and at
 /// the end, after a fault too; if it returns false the run stops. Prints nothing and throws nothing of its own.
 template <class T, class... Bodies, class Observer>
 RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer &&observer) {
@@ -49,10 +50,10 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer
   T dt = first_step, next_look = model.time + options.observe_every;
   const auto stop_at = [&](Fault fault) {
     result = {StopReason::fault, std::move(fault)};
-    observer(model, energy(model));
+    observer(std::as_const(model), energy(model));
     return result;
   };
-  if (!observer(model, energy(model))) return {StopReason::observer, std::nullopt};
+  if (!observer(std::as_const(model), energy(model))) return {StopReason::observer, std::nullopt};
 
   while (model.time < options.end_time * (T(1) - std::numeric_limits<T>::epsilon())) {
     if (model.steps % options.time_step_every == 0) {
@@ -79,9 +80,9 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer
       what << "the energy balance is off by " << double(error) * 100 << " %";
       return stop_at({what.str(), "model", -1, double(model.time) * 1e6});
     }
-    if (!observer(model, ledger)) return {StopReason::observer, std::nullopt};
+    if (!observer(std::as_const(model), ledger)) return {StopReason::observer, std::nullopt};
   }
-  observer(model, energy(model));
+  observer(std::as_const(model), energy(model));
   return result;
 }
 
