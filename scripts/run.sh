@@ -5,10 +5,4 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 "$root/scripts/build.sh" perforate
-
-# Threads that wait in a busy loop slow a machine down that has other work.
-export OMP_WAIT_POLICY="${OMP_WAIT_POLICY:-passive}"
-display=()
-# VTK's pictures need a display, even where no window opens.
-[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a)
-exec "${display[@]}" "$root/build/release/apps/perforate" "$@"
+exec "$root/scripts/with_display.sh" "$root/build/release/apps/perforate" "$@"

@@ -70,14 +70,15 @@ void assign(const Entry &entry, std::optional<int> &value, const Given &given) {
 
 void assign(const Entry &entry, bool &value, const Given &given) {
   const bool may_be = given.kind == Given::untyped || given.kind == Given::boolean;
-  if (!may_be || (given.value != "true" && given.value != "false")) refuse_given(given, "must be " + allowed_text(entry, value));
+  if (!may_be || (given.value != "true" && given.value != "false"))
+    refuse_given(given, "must be " + allowed_text(entry, value));
   value = given.value == "true";
 }
 
 void assign(const Entry &entry, std::filesystem::path &value, const Given &given) {
   const bool may_be = given.kind == Given::untyped || given.kind == Given::text;
-  const bool one_line = std::none_of(given.value.begin(), given.value.end(),
-                                     [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  const bool one_line =
+      std::none_of(given.value.begin(), given.value.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   if (!may_be || given.value.empty() || !one_line)
     refuse_given(given, "must be " + allowed_text(entry, value) + ", on one line");
   value = given.value;
@@ -171,8 +172,10 @@ CommandLine read_command_line(int argc, const char *const *argv) {
   for (const Flag &flag : flags) {
     if (flag.option->count() == 0) continue;
     const std::string value = flag.option->results().back();
-    if (flag.key == "config") line.config = value;
-    else line.given.push_back({flag.key, flag.name, value});
+    if (flag.key == "config")
+      line.config = value;
+    else
+      line.given.push_back({flag.key, flag.name, value});
   }
   return line;
 }
@@ -223,8 +226,10 @@ double estimated_particles(const Options &o) {
 
 std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text) {
   const CommandLine line = read_command_line(argc, argv);
-  if (line.help) text << help();
-  else if (line.version) text << "perforate " << ogive::version << "\n";
+  if (line.help)
+    text << help();
+  else if (line.version)
+    text << "perforate " << ogive::version << "\n";
   if (line.help || line.version) return std::nullopt;
 
   Options options;

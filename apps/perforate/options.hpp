@@ -43,8 +43,8 @@ struct Options {
   Nose nose = Nose::blunt;
   ProjectileKind projectile = ProjectileKind::deformable;
   double velocity_mps = 303.5;
-  double friction = 0;     ///< Coulomb; parse() takes default_friction() where none is given
-  double end_us = 200;     ///< parse() takes default_end_us() where none is given
+  double friction = 0; ///< Coulomb; parse() takes default_friction() where none is given
+  double end_us = 200; ///< parse() takes default_end_us() where none is given
 
   double spacing_mm = 0.6;
   double sph_radius_mm = 24;
@@ -58,9 +58,9 @@ struct Options {
 
   std::filesystem::path out = "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps"; ///< default_out() where none is given
   double output_every_us = 5;
-  bool vtk = true;     ///< write VTK files
-  bool picture = true; ///< draw the section picture
-  bool quiet = false;  ///< no progress on the terminal
+  bool vtk = true;            ///< write VTK files
+  bool picture = true;        ///< draw the section picture
+  bool quiet = false;         ///< no progress on the terminal
   std::optional<int> threads; ///< unset: as many as OpenMP offers
 
   bool operator==(const Options &) const = default;
@@ -72,8 +72,9 @@ inline constexpr double projectile_radius_mm = 10;
 /// Most particles that a run may have.
 inline constexpr double most_particles = 50e6;
 
-/// Coulomb friction of the paper: 0 for blunt noses; for the others 0.08 on steel and 0.02 on aluminium. The paper gives
-/// it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the rest follows the plate.
+/// Coulomb friction of the paper: 0 for blunt noses; for the others 0.08 on steel and 0.02 on aluminium. The paper
+/// gives it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the rest follows the
+/// plate.
 double default_friction(Nose nose, PlateMaterial material);
 
 /// Time at which a run ends, us: sharp noses take longer to pass the plate. Our choice.

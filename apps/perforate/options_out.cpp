@@ -49,14 +49,15 @@ void prepare_out(const Options &options) {
   const auto refuse_out = [&](const std::string &reason) { refuse("--out", options.out.string(), reason); };
   std::error_code error;
   const auto status = fs::status(options.out, error);
-  if (fs::exists(status) && !fs::is_directory(status))
-    refuse_out("must be a folder, but a file of that name is there");
+  if (fs::exists(status) && !fs::is_directory(status)) refuse_out("must be a folder, but a file of that name is there");
 
   const auto created = missing_folders(options.out);
   std::string reason;
   fs::create_directories(options.out, error);
-  if (error) reason = "must be a folder that can be created: " + error.message();
-  else reason = obstacle(options);
+  if (error)
+    reason = "must be a folder that can be created: " + error.message();
+  else
+    reason = obstacle(options);
   if (reason.empty()) return;
   for (auto folder = created.rbegin(); folder != created.rend(); ++folder) fs::remove(*folder, error);
   refuse_out(reason);

@@ -87,7 +87,8 @@ std::vector<Given> read_toml(const std::string &file) {
 
   std::string keys;
   Options any;
-  for_each_option(any, [&](const Entry &entry, auto &) { keys += (keys.empty() ? "" : ", ") + std::string(entry.key); });
+  for_each_option(any,
+                  [&](const Entry &entry, auto &) { keys += (keys.empty() ? "" : ", ") + std::string(entry.key); });
 
   std::vector<Given> entries;
   for (const auto &[name, node] : table) {
@@ -102,9 +103,10 @@ std::vector<Given> read_toml(const std::string &file) {
 }
 
 std::string to_toml(const Options &options) {
-  std::string text = "# Runs the same case again: perforate --config <this file>\n"
-                     "# The command line overrides what stands here. Values of friction and end_us stand here as they were\n"
-                     "# used: with another nose or material give them anew, or delete them to have the defaults.\n";
+  std::string text =
+      "# Runs the same case again: perforate --config <this file>\n"
+      "# The command line overrides what stands here. Values of friction and end_us stand here as they were\n"
+      "# used: with another nose or material give them anew, or delete them to have the defaults.\n";
   const char *group = "";
   for_each_option(options, [&](const Entry &entry, const auto &value) {
     if (group != entry.group) text += std::string("\n# ") + entry.group + "\n";

@@ -216,12 +216,13 @@ TEST_CASE("help and version stop the run, and help fits a terminal and names eve
 
   std::ostringstream text;
   CHECK_FALSE(parse({"--quiet", "--help"}, text));
-  for (const char *flag :
-       {"--material",       "--model",   "--thickness-mm", "--nose",       "--velocity-mps",    "--spacing-mm",
-        "--sph-radius-mm",  "--clamp-radius-mm", "--friction",     "--end-us",     "--threads",         "--output-every-us",
-        "--out",            "--config",  "--version",      "--help",       "--kernel",          "--form",
-        "--projectile",     "--lattice", "--smoothing",    "--extent",     "--element",         "--pressure",
-        "--picture",        "--vtk",     "--quiet"})
+  for (const char *flag : {"--material",     "--model",      "--thickness-mm",  "--nose",
+                           "--velocity-mps", "--spacing-mm", "--sph-radius-mm", "--clamp-radius-mm",
+                           "--friction",     "--end-us",     "--threads",       "--output-every-us",
+                           "--out",          "--config",     "--version",       "--help",
+                           "--kernel",       "--form",       "--projectile",    "--lattice",
+                           "--smoothing",    "--extent",     "--element",       "--pressure",
+                           "--picture",      "--vtk",        "--quiet"})
     CHECK(text.str().find(std::string("\n  ") + flag) != std::string::npos);
   std::istringstream lines(text.str());
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);

@@ -93,41 +93,53 @@ template <class T> HexModes<T> modes(const Corners<T> &u) {
   return m;
 }
 
-/// Volume and the integrals of the shape functions' gradients over a hex.
+/// Corner values of the trilinear field with the coefficients `m` and no constant part: the inverse of `modes`.
+template <class T> Corners<T> corner_values(const HexModes<T> &m) {
+  Corners<T> u;
+  for (int i = 0; i < 3; ++i) {
+    const T p = m(0, i) + m(1, i), q = m(1, i) - m(0, i), r = m(3, i) + m(4, i), s = m(3, i) - m(4, i);
+    const T above = m(5, i) + m(2, i), below = m(5, i) - m(2, i), t = m(6, i);
+    u(0, i) = below - p + r - t;
+    u(1, i) = t - above - q + s;
+    u(2, i) = below + p - r - t;
+    u(3, i) = t - above + q - s;
+    u(4, i) = above - p - r + t;
+    u(5, i) = -below - q - s - t;
+    u(6, i) = above + p + r + t;
+    u(7, i) = q - below + s - t;
+  }
+  return u;
+}
+
+/// Volume V and the mean gradient operator b_a of a hex. V b_a = integral of dN_a/dx is kept by its coefficients: they are
+/// six, the constant and the trilinear one vanish.
 template <class T> struct MeanGradient {
-  Corners<T> integral; ///< row a: integral of dN_a/dx dV = V b_a, m2
-  T volume;            ///< m3
+  Eigen::Matrix<T, 6, 3> integral; ///< m2, rows in the order of HexModes
+  T volume;                        ///< m3
 };
 
-/// The exact mean gradient operator in closed form (Flanagan & Belytschko 1981): V b_a = dV/dx_a. It is evaluated from
-/// the coefficients of the trilinear map; the trilinear one drops out.
+/// The exact mean gradient operator in closed form (Flanagan & Belytschko 1981): V b_a = dV/dx_a, from the coefficients of
+/// the trilinear map, of which the last one drops out.
 template <class T> MeanGradient<T> mean_gradient(const HexModes<T> &x) {
   const Vec3<T> a1 = x.row(0), a2 = x.row(1), a3 = x.row(2), c1 = x.row(3), c2 = x.row(4), c3 = x.row(5);
   const T third = T(1) / T(3);
-  Eigen::Matrix<T, 6, 3> m;
-  m.row(0) = cross<T>(a2, a3) - third * cross<T>(c2, c3);
-  m.row(1) = cross<T>(a3, a1) - third * cross<T>(c3, c1);
-  m.row(2) = cross<T>(a1, a2) - third * cross<T>(c1, c2);
-  m.row(3) = third * (cross<T>(a3, c2) + cross<T>(c3, a2));
-  m.row(4) = third * (cross<T>(a1, c3) + cross<T>(c1, a3));
-  m.row(5) = third * (cross<T>(a2, c1) + cross<T>(c2, a1));
   MeanGradient<T> mean;
-  mean.volume = T(8) * third * m.cwiseProduct(x.template topRows<6>()).sum();
-  for (int i = 0; i < 3; ++i) {
-    const T p = m(0, i) + m(1, i), q = m(1, i) - m(0, i);
-    const T r = m(3, i) + m(4, i), s = m(3, i) - m(4, i);
-    const T even_0 = m(2, i) + m(5, i), odd_0 = m(5, i) - m(2, i);
-    const T even_1 = m(2, i) - m(5, i), odd_1 = -m(2, i) - m(5, i);
-    mean.integral(0, i) = odd_0 - p + r;
-    mean.integral(1, i) = odd_1 - q + s;
-    mean.integral(2, i) = odd_0 + p - r;
-    mean.integral(3, i) = odd_1 + q - s;
-    mean.integral(4, i) = even_0 - p - r;
-    mean.integral(5, i) = even_1 - q - s;
-    mean.integral(6, i) = even_0 + p + r;
-    mean.integral(7, i) = even_1 + q + s;
-  }
+  mean.integral.row(0) = cross<T>(a2, a3) - third * cross<T>(c2, c3);
+  mean.integral.row(1) = cross<T>(a3, a1) - third * cross<T>(c3, c1);
+  mean.integral.row(2) = cross<T>(a1, a2) - third * cross<T>(c1, c2);
+  mean.integral.row(3) = third * (cross<T>(a3, c2) + cross<T>(c3, a2));
+  mean.integral.row(4) = third * (cross<T>(a1, c3) + cross<T>(c1, a3));
+  mean.integral.row(5) = third * (cross<T>(a2, c1) + cross<T>(c2, a1));
+  mean.volume = T(8) * third * mean.integral.cwiseProduct(x.template topRows<6>()).sum();
   return mean;
+}
+
+/// V b_a = integral of dN_a/dx dV for each corner a, m2.
+template <class T> Corners<T> corner_integrals(const MeanGradient<T> &mean) {
+  HexModes<T> m;
+  m.template topRows<6>() = mean.integral;
+  m.row(6).setZero();
+  return corner_values<T>(m);
 }
 
 /// The exact mean gradient operator of a hex with the corners `x` (m).
@@ -149,9 +161,10 @@ template <class T> PointGradient<T> point_gradient(const Corners<T> &x, int p) {
   return {D * inverse<T>(J), determinant<T>(J)};
 }
 
-/// Mean velocity gradient L = sum_a v_a (x) b_a with respect to the positions behind `mean`, 1/s.
-template <class T> Mat3<T> mean_velocity_gradient(const MeanGradient<T> &mean, const Corners<T> &v) {
-  return (T(1) / mean.volume) * (v.transpose() * mean.integral);
+/// Mean velocity gradient L = sum_a v_a (x) b_a, 1/s, with respect to the positions behind `mean`, from the coefficients of
+/// the velocity (m/s).
+template <class T> Mat3<T> mean_velocity_gradient(const MeanGradient<T> &mean, const HexModes<T> &v) {
+  return (T(8) / mean.volume) * (v.template topRows<6>().transpose() * mean.integral);
 }
 
 /// Velocity gradient at an integration point with its trace replaced by `mean_trace` (B-bar, Hughes 1980), 1/s.
@@ -163,18 +176,18 @@ Mat3<T> b_bar_velocity_gradient(const PointGradient<T> &point, T mean_trace, con
   return L;
 }
 
-/// Corner forces f_a = -V sigma b_a of a constant stress (Pa), N.
-template <class T> Corners<T> corner_forces(const MeanGradient<T> &mean, const Mat3<T> &stress) {
-  return -(mean.integral * stress.transpose());
+/// Coefficients of the corner forces f_a = -V sigma b_a of a constant stress (Pa), N.
+template <class T> HexModes<T> force_modes(const MeanGradient<T> &mean, const Mat3<T> &stress) {
+  HexModes<T> f;
+  f.template topRows<6>() = -(mean.integral * stress.transpose());
+  f.row(6).setZero();
+  return f;
 }
 
-/// Adds the transpose of `b_bar_velocity_gradient`: the stress deviator through the point's own gradient, the pressure
-/// through the mean one. `deviator` and `pressure` in Pa, pressure positive in compression.
-template <class T>
-void add_b_bar_forces(const PointGradient<T> &point, const MeanGradient<T> &mean, const Mat3<T> &deviator, T pressure,
-                      Corners<T> &force) {
-  force -= point.volume * (point.gradient * deviator);
-  force += (pressure * point.volume / mean.volume) * mean.integral;
+/// Corner forces of the stress deviator (Pa) at an integration point through its own gradient, N. With the pressure
+/// through the mean gradient, this is the transpose of `b_bar_velocity_gradient`.
+template <class T> Corners<T> deviatoric_forces(const PointGradient<T> &point, const Mat3<T> &deviator) {
+  return -point.volume * (point.gradient * deviator);
 }
 
 /// Integrals of the shape functions over the hex, m3: the shares of a lumped mass (row sums). They are positive for a

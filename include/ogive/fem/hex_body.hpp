@@ -28,7 +28,7 @@ struct SelectiveReduced {
 
 /// Numerical resistance of hexes.
 template <class T> struct HexOptions {
-  T hourglass_stiffness = T(0.1);      ///< Flanagan-Belytschko, fraction of the element's own stiffness
+  T hourglass_stiffness = T(0.1);      ///< fraction of the element's own stiffness, see hourglass.hpp
   T hourglass_viscosity = T(0);        ///< fraction of the element's acoustic impedance
   T linear_bulk_viscosity = T(0.06);   ///< in compression only
   T quadratic_bulk_viscosity = T(1.5); ///< in compression only

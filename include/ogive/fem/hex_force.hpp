@@ -17,12 +17,12 @@ template <class T, class Law, class Rule> void velocity_gradient(HexBody<T, Law,
     const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
     const Corners<T> v = gather_corners(nodes.velocity, body.hexes[e]);
     const HexModes<T> x_modes = modes<T>(x);
-    const MeanGradient<T> mean = mean_gradient<T>(x_modes);
-    body.mean_gradient[e] = mean;
-    const Mat3<T> L = mean_velocity_gradient<T>(mean, v);
+    const HexModes<T> v_modes = modes<T>(v);
+    body.mean_gradient[e] = mean_gradient<T>(x_modes);
+    const Mat3<T> L = mean_velocity_gradient<T>(body.mean_gradient[e], v_modes);
     if constexpr (Rule::points == 1) {
       body.points.velocity_gradient[e] = L;
-      body.hourglass_motion[e] = hourglass_motion<T>(x_modes, modes<T>(v), L);
+      body.hourglass_motion[e] = hourglass_motion<T>(x_modes, v_modes, L);
     } else {
       for (int p = 0; p < Rule::points; ++p)
         body.points.velocity_gradient[e * Rule::points + p] =
@@ -33,7 +33,7 @@ template <class T, class Law, class Rule> void velocity_gradient(HexBody<T, Law,
 
 /// sum_a |b_a|^2 of a hex, 1/m2: 1.5/L^2 for a cube of edge L.
 template <class T> T gradient_norm(const MeanGradient<T> &mean) {
-  return mean.integral.squaredNorm() / (mean.volume * mean.volume);
+  return T(8) * mean.integral.squaredNorm() / (mean.volume * mean.volume);
 }
 
 /// Length of a hex for its bulk viscosity, m: the edge of a cube, between one and sqrt(3) thicknesses of a flat hex.
@@ -52,16 +52,15 @@ template <class T, class Law>
 HourglassModes<T> update_hourglass(HexBody<T, Law, OnePoint> &body, Index e, T gradient_norm, T dt) {
   const auto &options = body.options;
   if (!(options.hourglass_stiffness > T(0)) && !(options.hourglass_viscosity > T(0))) return HourglassModes<T>::Zero();
-  const auto resistance = hourglass_resistance<T>(options.hourglass_stiffness, options.hourglass_viscosity,
-                                                  p_wave_modulus(body.metal.elasticity), body.points.density[e],
-                                                  body.mean_gradient[e].volume, gradient_norm);
+  const MeanGradient<T> &mean = body.mean_gradient[e];
   const HourglassModes<T> &rate = body.hourglass_motion[e].rate;
+  const T modulus = p_wave_modulus(body.metal.elasticity);
   const Mat3<T> R = spin_rotation<T>(midstep_gradient<T>(body.points.velocity_gradient[e], dt), dt);
   const HourglassModes<T> turned = R * body.hourglass_force[e];
-  body.hourglass_force[e] = turned + (dt * resistance.stiffness) * rate;
-  const HourglassModes<T> viscous = resistance.viscosity * rate;
-  body.hourglass_energy[e] +=
-      dt * (T(0.5) * (turned + body.hourglass_force[e]) + viscous).cwiseProduct(rate).sum();
+  body.hourglass_force[e] = turned + dt * hourglass_force_rate<T>(mean, options.hourglass_stiffness * modulus, rate);
+  const HourglassModes<T> viscous =
+      hourglass_damping<T>(options.hourglass_viscosity, modulus, body.points.density[e], mean.volume, gradient_norm) * rate;
+  body.hourglass_energy[e] += dt * (T(0.5) * (turned + body.hourglass_force[e]) + viscous).cwiseProduct(rate).sum();
   return body.hourglass_force[e] + viscous;
 }
 
@@ -72,17 +71,20 @@ Corners<T> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Ind
   if constexpr (Rule::points == 1) {
     Mat3<T> sigma = full(body.points.deviator[e]);
     sigma.diagonal().array() -= body.points.pressure[e] + q;
-    const HourglassModes<T> Q = update_hourglass(body, e, gradient_norm, dt);
-    sigma += hourglass_stress<T>(Q, body.hourglass_motion[e].shape, mean.volume);
-    return corner_forces<T>(mean, sigma) - hourglass_pattern<T>(Q) / std::sqrt(T(8));
+    HexModes<T> force = force_modes<T>(mean, sigma);
+    add_hourglass_forces<T>(mean, body.hourglass_motion[e].shape, update_hourglass(body, e, gradient_norm, dt), force);
+    return corner_values<T>(force);
   } else {
     const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
-    Corners<T> force = q * mean.integral;
+    Corners<T> force = Corners<T>::Zero();
+    T pressure_volume = q * mean.volume;
     for (int p = 0; p < Rule::points; ++p) {
       const Index i = e * Rule::points + p;
-      add_b_bar_forces<T>(point_gradient<T>(x, p), mean, full(body.points.deviator[i]), body.points.pressure[i], force);
+      const PointGradient<T> point = point_gradient<T>(x, p);
+      force += deviatoric_forces<T>(point, full(body.points.deviator[i]));
+      pressure_volume += point.volume * body.points.pressure[i];
     }
-    return force;
+    return force + (pressure_volume / mean.volume) * corner_integrals<T>(mean);
   }
 }
 

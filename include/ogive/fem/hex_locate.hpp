@@ -18,7 +18,7 @@ template <class T> Vec3<T> natural_coordinates(const Corners<T> &corners, const 
   T residual = T(0);
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Vec3<T> gap = x - corners.transpose() * shape_functions<T>(xi);
-    residual = gap.cwiseAbs().maxCoeff();
+    residual = gap.norm();
     if (residual <= tolerance) return xi;
     xi += inverse<T>(jacobian(corners, xi)) * gap;
   }

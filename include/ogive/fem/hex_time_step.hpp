@@ -44,10 +44,16 @@ template <class T> Sym3<T> gradient_moment(const Corners<T> &b, const CornerWeig
   return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)};
 }
 
-/// The stable step of hex e at the latest positions, s, with the damping of bulk and hourglass viscosity.
-/// With SelectiveReduced the deviatoric part is bounded point by point: sum_p 2 mu s_max,p + K tr S.
+/// Bounds of the fastest motion of a hex; both are inverse to its mass.
+template <class T> struct FastestMotion {
+  T omega_squared{}; ///< 1/s2
+  T damping{};       ///< 2 zeta omega of bulk and hourglass viscosity, 1/s
+};
+
+/// The fastest motion of hex e at the latest positions. With SelectiveReduced the deviatoric part is bounded point by
+/// point: sum_p 2 mu s_max,p + K tr S.
 template <class T, class Law, class Rule>
-T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
+FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
   const Elasticity<T> &elastic = body.metal.elasticity;
   const T mu = shear_modulus(elastic), bulk = bulk_modulus(elastic), lambda = bulk - T(2) / T(3) * mu;
   const T c = sound_speed(body.metal), density = body.points.density[e * Rule::points];
@@ -56,32 +62,37 @@ T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nod
 
   const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
   const MeanGradient<T> mean = mean_gradient<T>(x);
-  Sym3<T> S = gradient_moment<T>(mean.integral, inverse_mass);
+  Sym3<T> S = gradient_moment<T>(corner_integrals<T>(mean), inverse_mass);
   S *= T(1) / mean.volume;
-  T omega_squared;
+  FastestMotion<T> motion;
   if constexpr (Rule::points == 1) {
-    omega_squared = T(2) * mu * largest_eigenvalue_bound(S) + std::max(lambda, T(0)) * trace(S);
+    motion.omega_squared = T(2) * mu * largest_eigenvalue_bound(S) + std::max(lambda, T(0)) * trace(S);
   } else {
-    omega_squared = bulk * trace(S);
+    motion.omega_squared = bulk * trace(S);
     for (int p = 0; p < Rule::points; ++p) {
       const PointGradient<T> point = point_gradient<T>(x, p);
-      omega_squared += T(2) * mu * point.volume * largest_eigenvalue_bound(gradient_moment<T>(point.gradient, inverse_mass));
+      const Sym3<T> at_point = gradient_moment<T>(point.gradient, inverse_mass);
+      motion.omega_squared += T(2) * mu * point.volume * largest_eigenvalue_bound(at_point);
     }
   }
-  const T omega = std::sqrt(omega_squared);
 
   const HexOptions<T> &options = body.options;
   const T norm = gradient_norm<T>(mean), length = viscous_length<T>(norm);
   const T closing = std::max(T(0), -body.points.velocity_gradient[e * Rule::points].trace());
-  T damping = density * length * (options.linear_bulk_viscosity * c + options.quadratic_bulk_viscosity * length * closing) *
-              trace(S);
+  motion.damping = density * length * trace(S) *
+                   (options.linear_bulk_viscosity * c + options.quadratic_bulk_viscosity * length * closing);
   if constexpr (Rule::points == 1)
-    damping += hourglass_resistance<T>(T(0), options.hourglass_viscosity, p_wave_modulus(elastic), density, mean.volume,
-                                       norm)
-                   .viscosity *
-               inverse_mass.maxCoeff();
-  const T ratio = damping / (T(2) * omega);
-  return T(hex_courant) * T(2) / (omega * (std::sqrt(T(1) + ratio * ratio) + ratio));
+    motion.damping += inverse_mass.maxCoeff() * hourglass_damping<T>(options.hourglass_viscosity,
+                                                                     p_wave_modulus(elastic), density, mean.volume, norm);
+  return motion;
+}
+
+/// The stable step of hex e at the latest positions, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta).
+template <class T, class Law, class Rule>
+T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
+  const FastestMotion<T> motion = fastest_motion(body, nodes, e);
+  const T half = T(0.5) * motion.damping;
+  return T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
 }
 
 /// Smallest stable step of all hexes at the latest positions, s.
@@ -93,15 +104,18 @@ T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
 
 /// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and
 /// returns the added mass, kg. Meant for the thin hexes at a sharp tip. Density, stress and energy of the material points
-/// stay as they are.
+/// stay as they are. Throws SetupError unless dt is positive.
 template <class T, class Law, class Rule> T raise_time_step(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
   require(dt > T(0) && std::isfinite(dt), body.name + " time step to raise to (s)", dt, "must be positive");
+  const T limit = dt / T(hex_courant);
   T added = T(0);
   for (Index e = 0; e < static_cast<Index>(body.hexes.size()); ++e) {
-    const T ratio = dt / stable_time_step_of_hex(body, nodes, e);
-    if (!(ratio > T(1))) continue;
+    const FastestMotion<T> motion = fastest_motion(body, nodes, e);
+    // The step is stable as long as this is at most one.
+    const T factor = T(0.25) * motion.omega_squared * limit * limit + T(0.5) * motion.damping * limit;
+    if (!(factor > T(1))) continue;
     for (int a = 0; a < 8; ++a) {
-      const T more = (ratio * ratio - T(1)) * body.corner_mass[e][a];
+      const T more = (factor - T(1)) * body.corner_mass[e][a];
       body.corner_mass[e][a] += more;
       nodes.mass[body.hexes[e][a]] += more;
       added += more;

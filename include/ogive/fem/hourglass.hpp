@@ -7,10 +7,17 @@
 ///
 /// The four hourglass vectors are h_alpha = eta zeta, zeta xi, xi eta, xi eta zeta at the corners, made orthogonal to
 /// linear fields: gamma_alpha,a = h_alpha,a - b_a . X_alpha, X_alpha = sum_a h_alpha,a x_a. With the unit mode
-/// gamma/sqrt(8), a mode's rate is q' = sum_a gamma_a v_a / sqrt(8) and its stiffness
-///   k = stiffness (lambda + 2 mu) V sum_a |b_a|^2,
-/// that is 1.5 stiffness (lambda + 2 mu) L for a cube of edge L. The true bending stiffness of that mode is E L/6, which
-/// at Poisson's ratio 1/3 is met by stiffness = 0.074; the default 0.1 is 1.35 times as stiff as bending.
+/// gamma/sqrt(8), a mode's rate is q' = sum_a gamma_a v_a / sqrt(8). On a cube of edge L every mode has the stiffness
+///   k = stiffness (lambda + 2 mu) V sum_a |b_a|^2 = 1.5 stiffness (lambda + 2 mu) L.
+/// The true bending stiffness is E L/6, which at Poisson's ratio 1/3 is met by stiffness = 0.074; the default 0.1 is 1.35
+/// times as stiff as bending.
+///
+/// sum |b|^2 of a flat hex is that of its thickness, and k would lock the bending of plates of flat hexes. Therefore each
+/// direction of a mode gets the gradients that strain it, without the parasitic shear (as in Belytschko & Bindeman 1993,
+/// Comput. Methods Appl. Mech. Engng 105, 225-260): the mode xi eta has
+///   K = 3/8 stiffness (lambda + 2 mu) V [g_xi (x) g_xi + g_eta (x) g_eta + (|g_xi|^2 + |g_eta|^2)/2 n (x) n],
+/// g_xi = grad xi, n the unit normal to both, and xi eta zeta the sum of g (x) g. Any brick then has 1.35 times the true
+/// bending stiffness, a cube the k above.
 
 namespace ogive {
 
@@ -33,42 +40,41 @@ HourglassMotion<T> hourglass_motion(const HexModes<T> &position, const HexModes<
   return motion;
 }
 
-/// Generalised stiffness k (N/m) and viscosity c (N s/m) of a unit hourglass mode.
-template <class T> struct HourglassResistance {
-  T stiffness{};
-  T viscosity{};
-};
-
-/// `stiffness` and `viscosity` are the fractions of HexOptions, `p_wave_modulus` is lambda + 2 mu (Pa),
-/// `gradient_norm` = sum_a |b_a|^2 (1/m2). c = viscosity sqrt((lambda + 2 mu) rho V^2 sum |b|^2 / 8).
+/// K q' of the file's head for all modes, N/s: the rate of the generalised forces for the rates `rate` (m/s).
+/// `modulus` is stiffness (lambda + 2 mu), Pa.
 template <class T>
-HourglassResistance<T> hourglass_resistance(T stiffness, T viscosity, T p_wave_modulus, T density, T volume,
-                                            T gradient_norm) {
-  HourglassResistance<T> r;
-  r.stiffness = stiffness * p_wave_modulus * volume * gradient_norm;
-  if (viscosity > T(0)) r.viscosity = viscosity * volume * std::sqrt(T(0.125) * p_wave_modulus * density * gradient_norm);
-  return r;
-}
-
-/// Sum over the modes of h_alpha,a Q_alpha for each corner a.
-template <class T> Corners<T> hourglass_pattern(const HourglassModes<T> &Q) {
-  Corners<T> f;
-  for (int i = 0; i < 3; ++i) {
-    const T q0 = Q(i, 0), q1 = Q(i, 1), q2 = Q(i, 2), q3 = Q(i, 3);
-    const T a = q0 + q1 + q2, b = q0 - q1 - q2, c = q2 - q0 - q1, d = q1 - q0 - q2;
-    f(0, i) = a - q3, f(6, i) = a + q3;
-    f(1, i) = b + q3, f(7, i) = b - q3;
-    f(2, i) = c - q3, f(4, i) = c + q3;
-    f(3, i) = d + q3, f(5, i) = d - q3;
+HourglassModes<T> hourglass_force_rate(const MeanGradient<T> &mean, T modulus, const HourglassModes<T> &rate) {
+  const Mat3<T> g = (T(8) / mean.volume) * mean.integral.template topRows<3>().transpose();
+  const T scale = T(0.375) * modulus * mean.volume;
+  const Vec3<T> squares = g.colwise().squaredNorm().transpose();
+  const Eigen::Matrix<T, 3, 4> along = g.transpose() * rate; // g_i . q'_alpha
+  HourglassModes<T> force;
+  for (int m = 0; m < 3; ++m) {
+    const int i = (m + 1) % 3, j = (m + 2) % 3;
+    const Vec3<T> gi = g.col(i), gj = g.col(j), normal = cross<T>(gi, gj);
+    const T shear = T(0.5) * (squares[i] + squares[j]) * normal.dot(rate.col(m)) / normal.squaredNorm();
+    force.col(m) = scale * (along(i, m) * gi + along(j, m) * gj + shear * normal);
   }
-  return f;
+  force.col(3) = scale * (g * along.col(3));
+  return force;
 }
 
-/// The part of the hourglass forces that acts like a stress: -(1/V) sum_alpha Q_alpha (x) X_alpha / sqrt(8), Pa. It is
-/// not symmetric. The corner forces of the generalised forces Q (N) are -V (this) b_a - pattern(Q)_a / sqrt(8).
+/// Viscosity (N s/m) of a unit mode: viscosity sqrt((lambda + 2 mu) rho V^2 sum |b|^2 / 8), `viscosity` the fraction of
+/// HexOptions, `p_wave_modulus` = lambda + 2 mu (Pa), `gradient_norm` = sum_a |b_a|^2 (1/m2).
 template <class T>
-Mat3<T> hourglass_stress(const HourglassModes<T> &Q, const HourglassModes<T> &shape, T volume) {
-  return (T(-1) / (std::sqrt(T(8)) * volume)) * (Q * shape.transpose());
+T hourglass_damping(T viscosity, T p_wave_modulus, T density, T volume, T gradient_norm) {
+  return viscosity * volume * std::sqrt(T(0.125) * p_wave_modulus * density * gradient_norm);
+}
+
+/// Adds the generalised hourglass forces Q (N) to the coefficients of the corner forces:
+/// f_a = -sum_alpha gamma_alpha,a Q_alpha / sqrt(8).
+template <class T>
+void add_hourglass_forces(const MeanGradient<T> &mean, const HourglassModes<T> &shape, const HourglassModes<T> &Q,
+                          HexModes<T> &force) {
+  const HourglassModes<T> unit = Q / std::sqrt(T(8));
+  const Mat3<T> moment = (T(1) / mean.volume) * (unit * shape.transpose());
+  force.template topRows<6>() += mean.integral * moment.transpose();
+  force.template bottomRows<4>() -= unit.transpose();
 }
 
 } // namespace ogive

@@ -70,19 +70,22 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
   n.shell = at_least(2, (sharp ? T(0.6) : T(0.45)) * T(n.core));
   n.covers_front = wraps;
 
-  // Stations of the core: the nose's, then the shank's. In a wrapped nose they follow from the core's shape.
+  const T polygon_angle = eighth_turn / T(n.core);
+  const T outward = std::sqrt(polygon_angle / std::sin(polygon_angle));
+
+  // Stations of the core: the nose's, then the shank's. In a wrapped nose they follow from the core's shape, and the
+  // surface nodes, moved outward, put the tip at zero.
+  const T shoulder = wraps ? outward * height : height;
   std::vector<T> stations = {T(0)};
   if (sharp) stations = graded_stations(height, spacing, T(1.1), T(2) * spacing);
   const Index nose_levels = wraps ? n.core : static_cast<Index>(stations.size()) - 1;
-  if (wraps) stations.assign(nose_levels + 1, height);
+  if (wraps) stations.assign(nose_levels + 1, shoulder);
   const T longest = std::max(shape.diameter / T(6), T(2) * spacing);
   const auto shank = graded_stations(shape.shank_length, sharp ? T(2) * spacing : spacing, T(1.1), longest);
-  for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(height + shank[k]);
+  for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(shoulder + shank[k]);
   n.along = static_cast<Index>(stations.size()) - 1;
 
   const CoreOutline<T> core = wraps ? CoreOutline<T>{T(0.52), T(0.73), T(0.80)} : CoreOutline<T>{T(0.62), T(0.78), T(1)};
-  const T polygon_angle = eighth_turn / T(n.core);
-  const T outward = std::sqrt(polygon_angle / std::sin(polygon_angle));
   const auto fraction = [&](Index i) { return T(i) / T(n.core); };
   const auto front_fraction = [&](Index k) { return wraps && k < nose_levels ? T(1) - T(k) / T(nose_levels) : T(0); };
   const auto placed = [&](const Vec3<T> &unit, Index k) {

@@ -43,7 +43,7 @@ template <class T> void clamp_at_radius(Nodes<T> &nodes, NodeRange range, T radi
 }
 
 /// Mass of a range of nodes in the whole model, kg.
-template <class T> T total_mass(const std::vector<T> &point_mass, SymmetryPlanes symmetry) {
+template <class T> T whole_mass(const std::vector<T> &point_mass, SymmetryPlanes symmetry) {
   T mass{};
   for (T m : point_mass) mass += m;
   return T(symmetry.copies()) * mass;
@@ -88,7 +88,7 @@ PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationC
   set_velocity(nodes, shot.nodes, Vec3<T>(T(0), T(0), -c.initial_velocity));
   if (!c.rigid_projectile) {
     const T added = raise_time_step(shot, nodes, stable_time_step(particles, nodes));
-    const T allowed = options.largest_added_mass * total_mass(shot.point_mass, {});
+    const T allowed = options.largest_added_mass * whole_mass(shot.point_mass, {});
     require(added <= allowed, "mass added to the projectile's tip (kg)", added,
             "too much: the particle distance is too large for the projectile's mesh");
   }

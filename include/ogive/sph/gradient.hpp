@@ -84,11 +84,12 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Index i, std::span<const Ind
 }
 
 /// B = M^-1 where neighbours surround the particle well enough in all three directions, else the identity (lone particles,
-/// strings, sheets). With m = tr M / 3: 0.2 < m < 1.5 and det M > 0.2 m^3. On a lattice m is 1 inside, 0.68 at a face, 0.47
-/// at an edge and 0.31 at a corner, where det M / m^3 is still above 0.8.
+/// strings, sheets), where B would be so large that the time step is no longer stable. With m = tr M / 3: 0.25 < m < 1.5
+/// and det M > 0.5 m^3. On a lattice m is 1 inside, 0.68 at a face, 0.47 at an edge and 0.31 at a corner, where det M / m^3
+/// is still above 0.8.
 template <class T> Mat3<T> correction_matrix(const Mat3<T> &moment) {
   const T mean = moment.trace() / T(3);
-  const bool surrounded = mean > T(0.2) && mean < T(1.5) && determinant(moment) > T(0.2) * mean * mean * mean;
+  const bool surrounded = mean > T(0.25) && mean < T(1.5) && determinant(moment) > T(0.5) * mean * mean * mean;
   return surrounded ? inverse(moment) : Mat3<T>(Mat3<T>::Identity());
 }
 

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <unistd.h>
+
+namespace perforate {
+
+/// Progress of a run on standard error: a bar on a terminal, a line now and then otherwise.
+struct Progress {
+  bool quiet = false;
+  bool terminal = isatty(STDERR_FILENO) != 0;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  double last_shown_s = -1e9;
+};
+
+/// Seconds since the start.
+inline double elapsed_s(const Progress &p) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - p.start).count();
+}
+
+/// "2 min 05 s"
+inline std::string readable_duration(double seconds) {
+  char text[48];
+  if (seconds < 60)
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  else
+    std::snprintf(text, sizeof text, "%.0f min %02.0f s", std::floor(seconds / 60), std::fmod(seconds, 60));
+  return text;
+}
+
+/// Shows where the run is: time of `end_us`, velocity, steps per second, and the time left if it goes on to the end.
+inline void show(Progress &p, double time_us, double end_us, double velocity_mps, long steps, bool last = false) {
+  if (p.quiet) return;
+  const double now = elapsed_s(p);
+  if (!last && now - p.last_shown_s < (p.terminal ? 0.2 : 5.0)) return;
+  p.last_shown_s = now;
+  const double done = end_us > 0 ? time_us / end_us : 1.0;
+  const std::string left = done > 0 ? readable_duration(now / done - now) : "?";
+  const char *const end = p.terminal ? (last ? "\n" : "") : "\n";
+  if (p.terminal) {
+    std::string bar(30, '.');
+    std::fill_n(bar.begin(), std::min(30, static_cast<int>(30 * done)), '#');
+    std::fprintf(stderr, "\r\033[K[%s] ", bar.c_str());
+  }
+  std::fprintf(stderr, "%6.1f us of %.0f   projectile %7.1f m/s   %5.0f steps/s   at most %s left%s", time_us, end_us,
+               velocity_mps, now > 0 ? static_cast<double>(steps) / now : 0.0, left.c_str(), end);
+  std::fflush(stderr);
+}
+
+} // namespace perforate

@@ -1,0 +1,174 @@
+#include "report.hpp"
+
+#include "ogive/io/atomic_file.hpp"
+#include "ogive/io/section_picture.hpp"
+#include "ogive/io/velocity_plot.hpp"
+#include "ogive/version.hpp"
+
+#include <nlohmann/json.hpp>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace perforate {
+
+bool perforated(const Shot &shot) {
+  const auto &flight = shot.flight;
+  if (flight.state != ogive::FlightState::in_progress) return flight.state == ogive::FlightState::perforated;
+  const auto &last = flight.samples.back();
+  const double depth = flight.sharp ? last.shoulder : last.nose;
+  return !shot.fault && last.velocity > 5e-3 * flight.initial_velocity && depth > flight.plate_thickness;
+}
+
+double residual_mps(const Shot &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
+
+Shot shoot(const Options &options) {
+  return options.model == FlowModel::mjc ? shoot_mjc(options) : shoot_jc(options);
+}
+
+namespace {
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+double ns_per_particle_step(const Shot &s) {
+  return s.loop_s * 1e9 / std::max(1.0, static_cast<double>(s.steps) * static_cast<double>(s.sizes.particles));
+}
+
+/// Why the run ended.
+const char *ending(const Shot &s) {
+  if (s.fault) return "fault";
+  switch (s.flight.state) {
+  case ogive::FlightState::perforated: return s.flight.sharp ? "the tail left the plate" : "the velocity is steady";
+  case ogive::FlightState::stopped: return "the projectile rebounds";
+  default: return "end of time";
+  }
+}
+
+std::string case_title(const Options &o) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s, %s, %g mm, %s, %g m/s", name_of(o.material), name_of(o.model), o.thickness_mm,
+                name_of(o.nose), o.velocity_mps);
+  return text;
+}
+
+} // namespace
+
+std::optional<experiment::Residual> find_test(const Options &o) {
+  const std::string material = o.material == PlateMaterial::weldox_460e ? "Weldox 460 E" : "AA5083-H116";
+  return experiment::find_residual(PERFORATE_DATA_FOLDER, material, name_of(o.nose), o.thickness_mm, o.velocity_mps);
+}
+
+void announce(const Options &o, const Sizes &s) {
+  if (o.quiet) return;
+  std::printf("%s\n", case_title(o).c_str());
+  std::printf("  particle distance   %.4f mm (%g asked for), %ld particles, %ld hexes\n", s.spacing_mm, o.spacing_mm,
+              s.particles, s.hexes);
+  std::printf("  projectile          %.2f g (197 g in the tests)", s.projectile_mass_g);
+  if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
+  std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
+  std::fflush(stdout);
+}
+
+void write_summary(const Options &o, const Shot &s, const std::optional<experiment::Residual> &test) {
+  char hash[20];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.state_hash));
+  nlohmann::ordered_json j;
+  j["version"] = ogive::version;
+  j["material"] = name_of(o.material);
+  j["model"] = name_of(o.model);
+  j["nose"] = name_of(o.nose);
+  j["projectile"] = o.projectile == ProjectileKind::rigid ? "rigid" : "deformable";
+  j["thickness_mm"] = o.thickness_mm;
+  j["spacing_mm"] = s.sizes.spacing_mm;
+  j["friction"] = o.friction;
+  j["initial_velocity_mps"] = o.velocity_mps;
+  j["residual_velocity_mps"] = residual_mps(s);
+  j["final_velocity_mps"] = s.flight.samples.back().velocity;
+  j["velocity_at_shoulder_mps"] = nullptr;
+  j["velocity_at_tail_mps"] = nullptr;
+  if (s.flight.velocity_at_shoulder) j["velocity_at_shoulder_mps"] = *s.flight.velocity_at_shoulder;
+  if (s.flight.velocity_at_tail) j["velocity_at_tail_mps"] = *s.flight.velocity_at_tail;
+  j["perforated"] = perforated(s);
+  j["ending"] = ending(s);
+  j["fault"] = nullptr;
+  if (s.fault)
+    j["fault"] = {{"what", s.fault->what}, {"body", s.fault->body}, {"id", s.fault->id}, {"time_us", s.fault->time_us}};
+  j["test_residual_velocity_mps"] = nullptr;
+  if (test) j["test_residual_velocity_mps"] = test->residual_mps, j["test_origin"] = test->origin;
+  j["plug_mass_g"] = s.fragments.plug_mass * 1e3;
+  j["plug_velocity_mps"] = s.fragments.plug_velocity;
+  j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
+  j["projectile_mass_g"] = s.sizes.projectile_mass_g;
+  j["added_mass_g"] = s.sizes.added_mass_g;
+  j["largest_intrusion_mm"] = s.intrusion_mm;
+  j["energy_error"] = s.energy_error;
+  j["momentum_error"] = s.momentum_error;
+  j["particles"] = s.sizes.particles;
+  j["elements"] = s.sizes.hexes;
+  j["steps"] = s.steps;
+  j["simulated_us"] = s.simulated_us;
+  j["wall_s"] = s.wall_s;
+  j["threads"] = omp_get_max_threads();
+  j["ns_per_particle_step"] = ns_per_particle_step(s);
+  j["peak_memory_mb"] = peak_memory_mb();
+  j["state_hash"] = hash;
+  ogive::write_atomically(o.out / "summary.json", j.dump(2) + "\n");
+}
+
+std::string draw(const Options &o, const Shot &s, const std::optional<experiment::Residual> &test) {
+  if (!o.picture) return {};
+  std::string left_out;
+  const auto attempt = [&](auto &&draw_one) {
+    try {
+      draw_one();
+    } catch (const std::exception &error) {
+      left_out += std::string(left_out.empty() ? "" : "\n") + error.what();
+    }
+  };
+  attempt([&] {
+    char when[64];
+    std::snprintf(when, sizeof when, ": %.1f us, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
+    ogive::SectionPicture picture;
+    picture.title = case_title(o) + when;
+    picture.bar_title = "plastic strain";
+    const double low = std::min(-o.thickness_mm - 14, -s.flight.samples.back().nose * 1e3 - 14);
+    picture.centre_z_mm = 0.5 * (low + 22);
+    picture.half_height_mm = std::max(30.0, 0.5 * (22 - low));
+    ogive::render_section(s.last_frame, s.symmetry, o.out / "section.png", picture);
+  });
+  attempt([&] {
+    ogive::VelocityPlot plot;
+    plot.title = case_title(o);
+    if (test && test->residual_mps > 0) plot.measured_residual_m_per_s = test->residual_mps;
+    ogive::write_velocity_plot(o.out / "history.csv", o.out / "velocity.svg", plot);
+  });
+  return left_out;
+}
+
+void print_table(const Options &o, const Shot &s, const std::optional<experiment::Residual> &test) {
+  const double residual = residual_mps(s);
+  std::printf("\n  %-22s %s\n", "perforated", perforated(s) ? "yes" : "no");
+  std::printf("  %-22s %.1f m/s\n", "residual velocity", residual);
+  if (test) std::printf("  %-22s %.1f m/s (%s)\n", "test", test->residual_mps, test->origin.c_str());
+  if (s.flight.velocity_at_shoulder)
+    std::printf("  %-22s %.1f m/s\n", "when the shoulder left", *s.flight.velocity_at_shoulder);
+  if (s.flight.velocity_at_tail) std::printf("  %-22s %.1f m/s\n", "when the tail left", *s.flight.velocity_at_tail);
+  std::printf("  %-22s %s, %.1f us\n", "end of the run", ending(s), s.simulated_us);
+  if (o.nose == Nose::blunt || s.fragments.plug_mass > 1e-3)
+    std::printf("  %-22s %.2f g at %.1f m/s, debris %.2f g\n", "plug", s.fragments.plug_mass * 1e3,
+                s.fragments.plug_velocity, s.fragments.debris_mass * 1e3);
+  std::printf("  %-22s %.4f %%\n", "largest energy error", s.energy_error * 100);
+  std::printf("  %-22s %.1e\n", "momentum error", s.momentum_error);
+  std::printf("  %-22s %.3f mm\n", "deepest intrusion", s.intrusion_mm);
+  std::printf("  %-22s %.1f s, %ld steps, %.0f ns per particle and step, %.0f MB\n", "cost", s.wall_s, s.steps,
+              ns_per_particle_step(s), peak_memory_mb());
+  std::printf("  %-22s %s\n", "files", o.out.string().c_str());
+}
+
+} // namespace perforate

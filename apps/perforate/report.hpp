@@ -1,0 +1,24 @@
+#pragma once
+
+#include "shot.hpp"
+
+#include "../shared/experiment.hpp"
+
+#include <optional>
+#include <string>
+
+namespace perforate {
+
+/// The test that this case can be compared with, if there is one.
+std::optional<experiment::Residual> find_test(const Options &options);
+
+/// Writes summary.json. Throws WriteError.
+void write_summary(const Options &options, const Shot &shot, const std::optional<experiment::Residual> &test);
+
+/// Draws section.png and velocity.svg; what cannot be drawn is said in the text returned, and left out.
+std::string draw(const Options &options, const Shot &shot, const std::optional<experiment::Residual> &test);
+
+/// Prints the closing table.
+void print_table(const Options &options, const Shot &shot, const std::optional<experiment::Residual> &test);
+
+} // namespace perforate

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "options.hpp"
+
+#include "ogive/io/frame.hpp"
+#include "ogive/perforation/flight.hpp"
+#include "ogive/perforation/plug.hpp"
+#include "ogive/sim/energy.hpp"
+#include "ogive/sim/run.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace perforate {
+
+/// Sizes of a model, known before the run.
+struct Sizes {
+  long particles = 0;
+  long hexes = 0;
+  double spacing_mm = 0;
+  double plate_disc_mass_g = 0;
+  double projectile_mass_g = 0;
+  double added_mass_g = 0; ///< for the time step, at a sharp tip
+  double time_step_us = 0;
+};
+
+/// Everything that a finished shot tells.
+struct Shot {
+  Sizes sizes;
+  ogive::Flight<double> flight;
+  ogive::StopReason reason = ogive::StopReason::end_time;
+  std::optional<ogive::Fault> fault;
+  ogive::Fragments<double> fragments;
+  double intrusion_mm = 0;
+  double energy_error = 0;   ///< largest over the run, of the initial energy
+  double momentum_error = 0; ///< largest over the run, against the supports' impulse, of the initial momentum
+  double loop_s = 0;         ///< wall time of the time loop without writing files
+  double wall_s = 0;         ///< wall time of the whole run
+  long steps = 0;
+  double simulated_us = 0;
+  std::uint64_t state_hash = 0;
+  ogive::Frame last_frame;
+  ogive::SymmetryPlanes symmetry;
+};
+
+/// True if the projectile came through: perforated, or at the end of the time it flies on with its nose (sharp: its
+/// shoulder) beyond the rear face.
+bool perforated(const Shot &shot);
+
+/// Residual velocity in m/s, 0 unless perforated.
+double residual_mps(const Shot &shot);
+
+/// Runs the case and writes history and VTK files into `options.out`. Throws SetupError for a case that cannot be built,
+/// WriteError for a file that cannot be written.
+Shot shoot(const Options &options);
+
+/// The parts of shoot(), one for each flow model so that they compile side by side.
+Shot shoot_mjc(const Options &options);
+Shot shoot_jc(const Options &options);
+
+} // namespace perforate

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// \file
+/// The tests that a computed shot is compared with, read from the tables in apps/data.
+
+namespace experiment {
+
+/// Splits a line of CSV; fields may be quoted.
+inline std::vector<std::string> split(const std::string &line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (char c : line) {
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      fields.emplace_back();
+    else if (c != '\r')
+      fields.back() += c;
+  }
+  return fields;
+}
+
+/// Rows of a table without its header; empty if the file cannot be read.
+inline std::vector<std::vector<std::string>> read_rows(const std::filesystem::path &file) {
+  std::vector<std::vector<std::string>> rows;
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line))
+    if (!line.empty()) rows.push_back(split(line));
+  return rows;
+}
+
+/// A residual velocity to compare with and where it comes from.
+struct Residual {
+  double residual_mps = 0;
+  std::string origin;
+};
+
+/// The measured shot of this material ("Weldox 460 E"), nose, thickness and velocity (to 0.5 m/s), else the Recht-Ipson
+/// curve through the measured ballistic limit, else nothing.
+inline std::optional<Residual> find_residual(const std::filesystem::path &folder, const std::string &material,
+                                             const std::string &nose, double thickness_mm, double velocity_mps) {
+  const auto same = [&](const std::vector<std::string> &row) {
+    return row.size() > 5 && row[1] == material && row[2] == nose && std::abs(std::stod(row[3]) - thickness_mm) < 0.01;
+  };
+  for (const auto &row : read_rows(folder / "experiment_shots.csv"))
+    if (same(row) && std::abs(std::stod(row[4]) - velocity_mps) < 0.5)
+      return Residual{std::stod(row[5]), "measured, " + row[6] + " (" + row[7] + ")"};
+  for (const auto &row : read_rows(folder / "experiment_limits.csv"))
+    if (same(row)) {
+      const double limit = std::stod(row[4]), mass_kg = 0.197;
+      const double plug_kg =
+          nose == "blunt" ? 7850 * std::numbers::pi * 0.01 * 0.01 * thickness_mm * 1e-3 : 0.0;
+      const double a = row[5].empty() ? mass_kg / (mass_kg + plug_kg) : std::stod(row[5]);
+      const double p = row[6].empty() ? 2.0 : std::stod(row[6]);
+      const double residual =
+          velocity_mps > limit ? a * std::pow(std::pow(velocity_mps, p) - std::pow(limit, p), 1 / p) : 0.0;
+      return Residual{residual, "Recht-Ipson curve through the measured limit, " + row[7] + " (" + row[8] + ")"};
+    }
+  return std::nullopt;
+}
+
+} // namespace experiment
