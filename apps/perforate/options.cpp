@@ -208,8 +208,7 @@ double default_friction(Nose nose, PlateMaterial material) {
 }
 
 double default_end_us(Nose nose) {
-  if (nose == Nose::blunt) return 200;
-  return nose == Nose::hemispherical ? 300 : 400;
+  return nose == Nose::blunt ? 500 : 1500;
 }
 
 std::filesystem::path default_out(const Options &o) {

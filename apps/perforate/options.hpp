@@ -44,12 +44,12 @@ struct Options {
   ProjectileKind projectile = ProjectileKind::deformable;
   double velocity_mps = 303.5;
   double friction = 0; ///< Coulomb; parse() takes default_friction() where none is given
-  double end_us = 200; ///< parse() takes default_end_us() where none is given
+  double end_us = 500; ///< parse() takes default_end_us() where none is given
 
   double spacing_mm = 0.6;
   double sph_radius_mm = 24;
   Extent extent = Extent::quarter;
-  Lattice lattice = Lattice::cubic;
+  Lattice lattice = Lattice::ring;
   SphForm form = SphForm::renormalised;
   SphKernel kernel = SphKernel::cubic_spline;
   Smoothing smoothing = Smoothing::constant;

@@ -133,7 +133,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{numerics, "pressure", "pressure law", "ours"}, o.pressure);
 
   const char *const run = "Run and output";
-  f(Entry{run, "end_us", "time at which the run ends", "200 blunt, 300 hemispherical, 400 sharp: ours",
+  f(Entry{run, "end_us", "time at which the run ends", "500 blunt, else 1500; most runs end by themselves: ours",
           {1, 100000, "us"}},
     o.end_us);
   f(Entry{run, "out", "folder for the results", "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps"}, o.out);

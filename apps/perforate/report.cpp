@@ -51,17 +51,16 @@ const char *ending(const Shot &s) {
 }
 
 std::string case_title(const Options &o) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s, %s, %g mm, %s, %g m/s", name_of(o.material), name_of(o.model), o.thickness_mm,
-                name_of(o.nose), o.velocity_mps);
-  return text;
+  char sizes[64];
+  std::snprintf(sizes, sizeof sizes, "%g mm, %g m/s", o.thickness_mm, o.velocity_mps);
+  return name_of(o.material) + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes;
 }
 
 } // namespace
 
 std::optional<experiment::Residual> find_test(const Options &o) {
   const std::string material = o.material == PlateMaterial::weldox_460e ? "Weldox 460 E" : "AA5083-H116";
-  return experiment::find_residual(PERFORATE_DATA_FOLDER, material, name_of(o.nose), o.thickness_mm, o.velocity_mps);
+  return experiment::find_residual(PERFORATE_DATA_FOLDER, material, std::string(ogive::name(o.nose)), o.thickness_mm, o.velocity_mps);
 }
 
 void announce(const Options &o, const Sizes &s) {
@@ -82,7 +81,7 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["version"] = ogive::version;
   j["material"] = name_of(o.material);
   j["model"] = name_of(o.model);
-  j["nose"] = name_of(o.nose);
+  j["nose"] = std::string(ogive::name(o.nose));
   j["projectile"] = o.projectile == ProjectileKind::rigid ? "rigid" : "deformable";
   j["thickness_mm"] = o.thickness_mm;
   j["spacing_mm"] = s.sizes.spacing_mm;

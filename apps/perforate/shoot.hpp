@@ -86,7 +86,7 @@ Shot shoot_with(const Options &options, ogive::Metal<double, Law> plate) {
   double last_frame_us = -1;
   const auto result = ogive::run(model, run_options, [&](const auto &now, const ogive::Energy<double> &e) {
     const auto sample = ogive::observe_flight(now, shape);
-    ogive::record(shot.flight, sample);
+    ogive::record(shot.flight, sample, [&] { return ogive::is_plug_loose(now); });
     const double momentum = -ogive::momentum(now)[2], time_us = now.time * 1e6;
     const double impulse = -now.support_impulse[2] * now.symmetry.copies();
     if (shot.flight.samples.size() == 1) first_energy = total(e), first_momentum = momentum;

@@ -33,8 +33,8 @@ TEST_CASE("an elastic wave in a laterally held bar travels at the longitudinal s
 
 namespace {
 
-/// Half a period of a clamped-free bar over that of a thin beam (Euler), from the first mode's velocities. The bar has 4
-/// layers of hexes through its height (x), 2 across and `count` along z.
+/// Half a period of a clamped-free bar over that of a thin beam (Euler), from the first mode's velocities. The bar has
+/// 4 layers of hexes through its height (x), 2 across and `count` along z.
 double half_period_ratio(double length, double height, Index count) {
   auto s = solid<OnePoint>(brick<double>(4, 2, count, V(height, height, length)));
   for (Index n = 0; n < 5 * 3; ++n) s.nodes.held[n] = held_all;
@@ -59,8 +59,8 @@ double half_period_ratio(double length, double height, Index count) {
 } // namespace
 
 TEST_CASE("a cantilever of one-point hexes swings at its beam frequency", "[fem]") {
-  // Shear and rotary inertia slow the beam by 0.5 %. Four one-point layers lose 1/16 of the bending stiffness, 3 % of the
-  // period, and hourglass control gives 1.35 times that back.
+  // Shear and rotary inertia slow the beam by 0.5 %. Four one-point layers lose 1/16 of the bending stiffness, 3 % of
+  // the period, and hourglass control gives 1.35 times that back.
   CHECK(half_period_ratio(60e-3, 4e-3, 30) == Approx(1).epsilon(0.02));
 }
 

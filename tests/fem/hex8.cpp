@@ -8,9 +8,7 @@ using namespace fem_test;
 
 namespace {
 
-Corners<double> distorted_hex(std::uint32_t seed) {
-  return corners(distorted_brick(1, 1.0, 0.2, seed), 0);
-}
+Corners<double> distorted_hex(std::uint32_t seed) { return corners(distorted_brick(1, 1.0, 0.2, seed), 0); }
 
 } // namespace
 
@@ -83,8 +81,8 @@ TEST_CASE("natural coordinates invert the trilinear map, outside too", "[fem]") 
 }
 
 TEST_CASE("natural coordinates refuse a point that has none", "[fem]") {
-  // The upper face has half the size of the lower one: seen in the natural coordinates, the edges meet at z = 2, and there
-  // is no image beyond it off the axis that all edges share.
+  // The upper face has half the size of the lower one: seen in the natural coordinates, the edges meet at z = 2, and
+  // there is no image beyond it off the axis that all edges share.
   auto x = corners(brick<double>(1, 1, 1, V::Ones()), 0);
   x.bottomRows<4>().leftCols<2>() *= 0.5;
   CHECK(natural_coordinates<double>(x, V(0.1, 0.1, 1.2)).allFinite());

@@ -36,12 +36,13 @@ TEST_CASE("an inverted or broken mesh is refused by name and value", "[fem]") {
   CHECK(nodes.size() == 0);
   mesh = brick<double>(1, 1, 1, V::Ones());
   mesh.hexes[0][7] = 8;
-  CHECK(contains(setup_error_of([&] { add_hex_body(nodes, mesh, steel<double>(), "block"); }),
-                 "block hex 0 corner = 8"));
+  CHECK(
+      contains(setup_error_of([&] { add_hex_body(nodes, mesh, steel<double>(), "block"); }), "block hex 0 corner = 8"));
   CHECK_THROWS_AS(add_hex_body(nodes, HexMesh<double>{}, steel<double>(), "empty"), SetupError);
   mesh = brick<double>(1, 1, 1, V::Ones());
-  CHECK(contains(setup_error_of([&] { add_hex_body(nodes, mesh, steel<double>(), "block", {.hourglass_stiffness = -1.0}); }),
-                 "hourglass stiffness = -1"));
+  CHECK(contains(
+      setup_error_of([&] { add_hex_body(nodes, mesh, steel<double>(), "block", {.hourglass_stiffness = -1.0}); }),
+      "hourglass stiffness = -1"));
 }
 
 TEST_CASE("the first inverted hex is found", "[fem]") {

@@ -19,7 +19,8 @@ TEST_CASE("hourglass control does not resist linear fields of distorted hexes", 
 
 namespace {
 
-/// Stiffness of the unit hourglass mode u_x = xi eta/sqrt(8) of a brick, N/m, with the energy that control has taken up.
+/// Stiffness of the unit hourglass mode u_x = xi eta/sqrt(8) of a brick, N/m, with the energy that control has taken
+/// up.
 struct BendingMode {
   double stiffness, energy_over_exact, stress_energy_over_energy;
 };

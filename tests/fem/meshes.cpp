@@ -148,7 +148,9 @@ TEST_CASE("the paper's rim: size, layers and an exact inner cylinder", "[fem]") 
 }
 
 TEST_CASE("impossible shapes are refused", "[fem]") {
-  CHECK(contains(setup_error_of([&] { rim_mesh(RimShape<double>{24e-3, 20e-3, 12e-3, 1.5e-3}, Extent::quarter); }),
+  CHECK(contains(setup_error_of([&] {
+                   rim_mesh(RimShape<double>{24e-3, 20e-3, 12e-3, 1.5e-3}, Extent::quarter);
+                 }),
                  "rim outer radius (m) = 0.02"));
   CHECK_THROWS_AS(rim_mesh(RimShape<double>{24e-3, 250e-3, 12e-3, 0.0}, Extent::quarter), SetupError);
   CHECK_THROWS_AS(rim_mesh(RimShape<double>{24e-3, 250e-3, 12e-3, 1.5e-3, 0.9}, Extent::quarter), SetupError);
@@ -156,8 +158,7 @@ TEST_CASE("impossible shapes are refused", "[fem]") {
   CHECK_THROWS_AS(projectile_mesh(cone, 0.0, Extent::quarter), SetupError);
   CHECK_THROWS_AS(projectile_mesh(cone, 6e-3, Extent::quarter), SetupError);
   cone.tip_diameter = 0;
-  CHECK(contains(setup_error_of([&] { projectile_mesh(cone, 1e-3, Extent::quarter); }),
-                 "tip diameter (m) = 0"));
+  CHECK(contains(setup_error_of([&] { projectile_mesh(cone, 1e-3, Extent::quarter); }), "tip diameter (m) = 0"));
   auto ogive_shape = paper_projectile<double>(Nose::ogival);
   ogive_shape.nose_length = 5e-3;
   CHECK_THROWS_AS(projectile_mesh(ogive_shape, 1e-3, Extent::quarter), SetupError);

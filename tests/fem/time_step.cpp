@@ -7,8 +7,8 @@ using namespace fem_test;
 
 namespace {
 
-/// Largest eigenfrequency of a body by power iteration with its own forces: a small step from a stress-free state with the
-/// velocity u gives the force -K u dt.
+/// Largest eigenfrequency of a body by power iteration with its own forces: a small step from a stress-free state with
+/// the velocity u gives the force -K u dt.
 template <class Rule> double highest_frequency(const HexMesh<double> &mesh) {
   const auto fresh = solid<Rule>(mesh, inviscid<double>());
   const double dt = 1e-12;
@@ -65,7 +65,8 @@ TEST_CASE("the step of a cube is the dilatation's", "[fem]") {
   CHECK(stable_time_step(s.body, s.nodes) == Approx(0.9 * 0.001 / std::sqrt(3 * K / 7850)).epsilon(1e-12));
 }
 
-TEMPLATE_TEST_CASE("a free block is stable at its step and not at three times it", "[fem]", OnePoint, SelectiveReduced) {
+TEMPLATE_TEST_CASE("a free block is stable at its step and not at three times it", "[fem]", OnePoint,
+                   SelectiveReduced) {
   const auto mesh = distorted_brick(4, 0.01, 0.2);
   const auto energy_after = [&](double factor, int steps) {
     auto s = solid<TestType>(mesh);
@@ -111,7 +112,8 @@ TEST_CASE("added mass brings thin hexes up to a step", "[fem]") {
   const double added = raise_time_step(s.body, s.nodes, target);
   for (double m : s.nodes.mass) raised += m;
   CHECK(raised - mass == Approx(added));
-  // The thin hex alone, 2 mm of 40. Without damping it would need its mass four times over; damping falls with the mass.
+  // The thin hex alone, 2 mm of 40. Without damping it would need its mass four times over; damping falls with the
+  // mass.
   CHECK(added < 3 * 7850 * 0.01 * 0.01 * 0.002);
   CHECK(added > 2.5 * 7850 * 0.01 * 0.01 * 0.002);
   CHECK(stable_time_step(s.body, s.nodes) == Approx(target).epsilon(1e-12));

@@ -8,8 +8,8 @@
 
 namespace ogive {
 
-/// Stations from 0 to `length`: the intervals start near `first`, grow by `growth` (>= 1) up to `largest`, and are scaled
-/// together so that they fill the length exactly. Lengths in m.
+/// Stations from 0 to `length`: the intervals start near `first`, grow by `growth` (>= 1) up to `largest`, and are
+/// scaled together so that they fill the length exactly. Lengths in m.
 template <class T> std::vector<T> graded_stations(T length, T first, T growth, T largest) {
   std::vector<T> stations = {T(0)};
   for (T size = first; stations.back() < length; size = std::min(growth * size, std::max(first, largest)))

@@ -111,15 +111,15 @@ template <class T> Corners<T> corner_values(const HexModes<T> &m) {
   return u;
 }
 
-/// Volume V and the mean gradient operator b_a of a hex. V b_a = integral of dN_a/dx is kept by its coefficients: they are
-/// six, the constant and the trilinear one vanish.
+/// Volume V and the mean gradient operator b_a of a hex. V b_a = integral of dN_a/dx is kept by its coefficients: they
+/// are six, the constant and the trilinear one vanish.
 template <class T> struct MeanGradient {
   Eigen::Matrix<T, 6, 3> integral; ///< m2, rows in the order of HexModes
   T volume;                        ///< m3
 };
 
-/// The exact mean gradient operator in closed form (Flanagan & Belytschko 1981): V b_a = dV/dx_a, from the coefficients of
-/// the trilinear map, of which the last one drops out.
+/// The exact mean gradient operator in closed form (Flanagan & Belytschko 1981): V b_a = dV/dx_a, from the coefficients
+/// of the trilinear map, of which the last one drops out.
 template <class T> MeanGradient<T> mean_gradient(const HexModes<T> &x) {
   const Vec3<T> a1 = x.row(0), a2 = x.row(1), a3 = x.row(2), c1 = x.row(3), c2 = x.row(4), c3 = x.row(5);
   const T third = T(1) / T(3);
@@ -161,15 +161,14 @@ template <class T> PointGradient<T> point_gradient(const Corners<T> &x, int p) {
   return {D * inverse<T>(J), determinant<T>(J)};
 }
 
-/// Mean velocity gradient L = sum_a v_a (x) b_a, 1/s, with respect to the positions behind `mean`, from the coefficients of
-/// the velocity (m/s).
+/// Mean velocity gradient L = sum_a v_a (x) b_a, 1/s, with respect to the positions behind `mean`, from the
+/// coefficients of the velocity (m/s).
 template <class T> Mat3<T> mean_velocity_gradient(const MeanGradient<T> &mean, const HexModes<T> &v) {
   return (T(8) / mean.volume) * (v.template topRows<6>().transpose() * mean.integral);
 }
 
 /// Velocity gradient at an integration point with its trace replaced by `mean_trace` (B-bar, Hughes 1980), 1/s.
-template <class T>
-Mat3<T> b_bar_velocity_gradient(const PointGradient<T> &point, T mean_trace, const Corners<T> &v) {
+template <class T> Mat3<T> b_bar_velocity_gradient(const PointGradient<T> &point, T mean_trace, const Corners<T> &v) {
   Mat3<T> L = v.transpose() * point.gradient;
   const T correction = (mean_trace - (L(0, 0) + L(1, 1) + L(2, 2))) / T(3);
   L.diagonal().array() += correction;

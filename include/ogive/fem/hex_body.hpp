@@ -50,7 +50,7 @@ template <class T, class Law, class Rule = OnePoint> struct HexBody {
   NodeRange nodes{};
   std::vector<std::array<Index, 8>> hexes; ///< corners, indices into Nodes
   MaterialPoints<T> points;
-  std::vector<T> point_mass;               ///< kg, constant, of each point
+  std::vector<T> point_mass; ///< kg, constant, of each point
 
   // History, one for each hex.
   std::vector<HourglassModes<T>> hourglass_force; ///< N, generalised; empty with SelectiveReduced
@@ -100,11 +100,11 @@ inline CornersOfNodes corners_of_nodes(const std::vector<std::array<Index, 8>> &
 }
 
 /// Adds a mesh (m) to the nodes, at rest, as a body of `metal`. Masses are lumped by row sums: they add up to density
-/// times the exact volume and keep its centre. Throws SetupError if a constant of the metal or an option is out of range
-/// or a hex is inverted.
+/// times the exact volume and keep its centre. Throws SetupError if a constant of the metal or an option is out of
+/// range or a hex is inverted.
 template <class Rule = OnePoint, class T, class Law>
-HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, const Metal<T, Law> &metal, std::string name,
-                                   const HexOptions<T> &options = {}) {
+HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, const Metal<T, Law> &metal,
+                                   std::string name, const HexOptions<T> &options = {}) {
   check(metal);
   check_mesh(mesh, name);
   const auto not_negative = [&](T value, const char *thing) {
@@ -172,7 +172,8 @@ template <class T, class Law, class Rule> T viscous_energy(const HexBody<T, Law,
 }
 
 /// A hex whose volume is not positive: the first one, or -1.
-template <class T, class Law, class Rule> Index first_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
+template <class T, class Law, class Rule>
+Index first_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   const Index count = static_cast<Index>(body.hexes.size());
   const Index first = parallel_min(count, count, [&](Index e) {
     return hex_volume<T>(gather_corners(nodes.position, body.hexes[e])) > T(0) ? count : e;

@@ -59,7 +59,8 @@ HourglassModes<T> update_hourglass(HexBody<T, Law, OnePoint> &body, Index e, T g
   const HourglassModes<T> turned = R * body.hourglass_force[e];
   body.hourglass_force[e] = turned + dt * hourglass_force_rate<T>(mean, options.hourglass_stiffness * modulus, rate);
   const HourglassModes<T> viscous =
-      hourglass_damping<T>(options.hourglass_viscosity, modulus, body.points.density[e], mean.volume, gradient_norm) * rate;
+      hourglass_damping<T>(options.hourglass_viscosity, modulus, body.points.density[e], mean.volume, gradient_norm) *
+      rate;
   body.hourglass_energy[e] += dt * (T(0.5) * (turned + body.hourglass_force[e]) + viscous).cwiseProduct(rate).sum();
   return body.hourglass_force[e] + viscous;
 }
@@ -88,10 +89,9 @@ Corners<T> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Ind
   }
 }
 
-/// Adds the forces of stress, bulk viscosity and hourglass control to the nodes, N, and their work over the step `dt` (s)
-/// to the energies. Call it after `velocity_gradient` and `update_stress`.
-template <class T, class Law, class Rule>
-void add_internal_force(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
+/// Adds the forces of stress, bulk viscosity and hourglass control to the nodes, N, and their work over the step `dt`
+/// (s) to the energies. Call it after `velocity_gradient` and `update_stress`.
+template <class T, class Law, class Rule> void add_internal_force(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
   const T c = sound_speed(body.metal);
   parallel_for(static_cast<Index>(body.hexes.size()), [&](Index e) {
     const Index i = e * Rule::points;

@@ -7,10 +7,10 @@
 
 namespace ogive {
 
-/// Natural coordinates of the point `x` (m) in the hex with the corners given (m): Newton's method on the trilinear map.
-/// Points somewhat outside get coordinates beyond [-1, 1], that is, extrapolation. `shape_functions` of the result are
-/// weights that reproduce linear fields: sum N_a x_a = x. Throws SetupError if the iteration does not converge (a point
-/// far outside a distorted hex).
+/// Natural coordinates of the point `x` (m) in the hex with the corners given (m): Newton's method on the trilinear
+/// map. Points somewhat outside get coordinates beyond [-1, 1], that is, extrapolation. `shape_functions` of the result
+/// are weights that reproduce linear fields: sum N_a x_a = x. Throws SetupError if the iteration does not converge (a
+/// point far outside a distorted hex).
 template <class T> Vec3<T> natural_coordinates(const Corners<T> &corners, const Vec3<T> &x) {
   const T size = (corners.rowwise() - corners.row(0)).cwiseAbs().maxCoeff();
   const T tolerance = T(16) * std::numeric_limits<T>::epsilon() * (size + corners.cwiseAbs().maxCoeff());

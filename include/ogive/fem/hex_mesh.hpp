@@ -13,10 +13,11 @@ struct Facet {
   Index hex = 0;
 };
 
-/// Eight-node hexahedra. Corners in the usual order: 0-3 the lower face counter-clockwise seen from above, 4-7 above them.
+/// Eight-node hexahedra. Corners in the usual order: 0-3 the lower face counter-clockwise seen from above, 4-7 above
+/// them.
 template <class T> struct HexMesh {
-  std::vector<Vec3<T>> positions;           ///< m
-  std::vector<std::array<Index, 8>> hexes;  ///< corners, indices into positions
+  std::vector<Vec3<T>> positions;          ///< m
+  std::vector<std::array<Index, 8>> hexes; ///< corners, indices into positions
 };
 
 } // namespace ogive

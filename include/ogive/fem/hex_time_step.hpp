@@ -9,11 +9,12 @@
 /// \file
 /// The stable time step of central differences, hex by hex.
 ///
-/// A hex with the corner masses m_a has omega_max^2 <= 2 mu s_max + lambda tr S with S = V sum_a b_a b_a^T / m_a and s_max
-/// its largest eigenvalue: the strains of the corner motions b_a (x) g span all that stress resists. For equal masses
-/// (rho V/8) this is (8/rho) [...] of S = sum_a b_a b_a^T. The bound is exact for a flat hex, c/(2 thickness), and for a
-/// cube, whose stiffest mode is the dilatation (3 K instead of lambda + 2 mu: 0.71 times the step edge/c at Poisson's
-/// ratio 0.33). A nodal mass is the sum of its corner masses, so the smallest step of all hexes is safe for the mesh.
+/// A hex with the corner masses m_a has omega_max^2 <= 2 mu s_max + lambda tr S with S = V sum_a b_a b_a^T / m_a and
+/// s_max its largest eigenvalue: the strains of the corner motions b_a (x) g span all that stress resists. For equal
+/// masses (rho V/8) this is (8/rho) [...] of S = sum_a b_a b_a^T. The bound is exact for a flat hex, 2 c/thickness,
+/// and for a cube, whose stiffest mode is the dilatation (3 K instead of lambda + 2 mu: 0.71 times the step edge/c at
+/// Poisson's ratio 0.33). A nodal mass is the sum of its corner masses, so the smallest step of all hexes is safe for
+/// the mesh.
 
 namespace ogive {
 
@@ -82,8 +83,9 @@ FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T
   motion.damping = density * length * trace(S) *
                    (options.linear_bulk_viscosity * c + options.quadratic_bulk_viscosity * length * closing);
   if constexpr (Rule::points == 1)
-    motion.damping += inverse_mass.maxCoeff() * hourglass_damping<T>(options.hourglass_viscosity,
-                                                                     p_wave_modulus(elastic), density, mean.volume, norm);
+    motion.damping +=
+        inverse_mass.maxCoeff() *
+        hourglass_damping<T>(options.hourglass_viscosity, p_wave_modulus(elastic), density, mean.volume, norm);
   return motion;
 }
 
@@ -96,15 +98,14 @@ T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nod
 }
 
 /// Smallest stable step of all hexes at the latest positions, s.
-template <class T, class Law, class Rule>
-T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
+template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   return parallel_min(static_cast<Index>(body.hexes.size()), std::numeric_limits<T>::max(),
                       [&](Index e) { return stable_time_step_of_hex(body, nodes, e); });
 }
 
 /// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and
-/// returns the added mass, kg. Meant for the thin hexes at a sharp tip. Density, stress and energy of the material points
-/// stay as they are. Throws SetupError unless dt is positive.
+/// returns the added mass, kg. Meant for the thin hexes at a sharp tip. Density, stress and energy of the material
+/// points stay as they are. Throws SetupError unless dt is positive.
 template <class T, class Law, class Rule> T raise_time_step(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
   require(dt > T(0) && std::isfinite(dt), body.name + " time step to raise to (s)", dt, "must be positive");
   const T limit = dt / T(hex_courant);

@@ -6,22 +6,22 @@
 #include <vector>
 
 /// \file
-/// A quarter (x >= 0, y >= 0) of a round body: a square core of hexes along the z axis with a shell around it, so that no
-/// hex collapses on the axis. The shell covers the core's sides and, if asked for, its front.
+/// A quarter (x >= 0, y >= 0) of a round body: a square core of hexes along the z axis with a shell around it, so that
+/// no hex collapses on the axis. The shell covers the core's sides and, if asked for, its front.
 
 namespace ogive {
 
 /// Numbers of hexes of an O-grid.
 struct OGridCounts {
-  Index core = 0;           ///< across half of the core
-  Index shell = 0;          ///< through the shell
-  Index along = 0;          ///< along the core
+  Index core = 0;            ///< across half of the core
+  Index shell = 0;           ///< through the shell
+  Index along = 0;           ///< along the core
   bool covers_front = false; ///< the shell wraps around the front, z = smallest
 };
 
-/// Builds the O-grid. `core_at(i, j, k)` and `surface_at(i, j, k)` give the position (m) of a core node and, for a node on
-/// the core's side or front, of its image on the body's surface; i, j = 0 to core, k = 0 (front) to along. Shell nodes lie
-/// evenly spaced between the two.
+/// Builds the O-grid. `core_at(i, j, k)` and `surface_at(i, j, k)` give the position (m) of a core node and, for a node
+/// on the core's side or front, of its image on the body's surface; i, j = 0 to core, k = 0 (front) to along. Shell
+/// nodes lie evenly spaced between the two.
 template <class T, class CoreAt, class SurfaceAt>
 HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at) {
   HexMesh<T> mesh;

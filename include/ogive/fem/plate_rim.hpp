@@ -16,11 +16,11 @@ namespace ogive {
 
 /// The part of a round plate that is made of hexes: a ring around the disc of particles, between z = 0 and -thickness.
 template <class T> struct RimShape {
-  T inner_radius{};      ///< edge of the disc of particles, m
-  T outer_radius{};      ///< clamp, m
-  T thickness{};         ///< m
-  T inner_size{};        ///< edge of the hexes at the inner radius, m
-  T growth = T(1.15);    ///< from one ring to the next
+  T inner_radius{};   ///< edge of the disc of particles, m
+  T outer_radius{};   ///< clamp, m
+  T thickness{};      ///< m
+  T inner_size{};     ///< edge of the hexes at the inner radius, m
+  T growth = T(1.15); ///< from one ring to the next
 };
 
 /// Throws SetupError if a dimension is out of range.

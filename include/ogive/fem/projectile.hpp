@@ -17,24 +17,22 @@
 /// Hex meshes of projectiles, tip at z = 0, body at z > 0. Every cross section is an O-grid.
 ///
 /// Blunt: hexes of 0.9 to 1.3 times the particle distance in the cross section (1.2 along the rim, which is sharp), a
-/// little less in the four corners of the core; along the axis as long as the particle distance at the face and growing to
-/// a sixth of the diameter towards the tail. Conical and ogival: the cross section shrinks with the nose down to the flat
-/// tip, with fewer hexes across (2.6 times the particle distance along the shank's circumference, 2 times along its
-/// radius) because they all meet at the tip; see raise_time_step for the thin ones there. Hemispherical: the shell of the
-/// O-grid wraps around the front (a cubed sphere) with hexes of 1.4 times the particle distance along the surface, none
-/// of them thin.
+/// little less in the four corners of the core; along the axis as long as the particle distance at the face and growing
+/// to a sixth of the diameter towards the tail. Conical and ogival: the cross section shrinks with the nose down to the
+/// flat tip, with fewer hexes across (2.6 times the particle distance along the shank's circumference, 2 times along
+/// its radius) because they all meet at the tip; see raise_time_step for the thin ones there. Hemispherical: the shell
+/// of the O-grid wraps around the front (a cubed sphere) with hexes of 1.4 times the particle distance along the
+/// surface, none of them thin.
 ///
 /// Surface nodes lie a little outside of the true circle, such that the polygon has the circle's area: shank and cone
 /// have exactly the analytic volume.
 
 namespace ogive {
 
-/// Outline of the O-grid's core as fractions of the radius: half its width, half its diagonal in the cross section, half
-/// its diagonal in space (where the shell wraps around it). Its sides bulge, so that the hexes at its corners stay well
-/// shaped. The values in use give about the largest stable step.
-template <class T> struct CoreOutline {
-  T side{}, diagonal{}, space_diagonal{};
-};
+/// Outline of the O-grid's core as fractions of the radius: half its width, half its diagonal in the cross section,
+/// half its diagonal in space (where the shell wraps around it). Its sides bulge, so that the hexes at its corners stay
+/// well shaped. The values in use give about the largest stable step.
+template <class T> struct CoreOutline { T side{}, diagonal{}, space_diagonal{}; };
 
 /// Point of the bulged unit core at the fractions p, q (cross section) and w (towards a wrapped front), in radii.
 template <class T> Vec3<T> core_point(const CoreOutline<T> &core, T p, T q, T w) {
@@ -85,7 +83,8 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
   for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(shoulder + shank[k]);
   n.along = static_cast<Index>(stations.size()) - 1;
 
-  const CoreOutline<T> core = wraps ? CoreOutline<T>{T(0.52), T(0.73), T(0.80)} : CoreOutline<T>{T(0.62), T(0.78), T(1)};
+  const CoreOutline<T> core =
+      wraps ? CoreOutline<T>{T(0.52), T(0.73), T(0.80)} : CoreOutline<T>{T(0.62), T(0.78), T(1)};
   const auto fraction = [&](Index i) { return T(i) / T(n.core); };
   const auto front_fraction = [&](Index k) { return wraps && k < nose_levels ? T(1) - T(k) / T(nose_levels) : T(0); };
   const auto placed = [&](const Vec3<T> &unit, Index k) {

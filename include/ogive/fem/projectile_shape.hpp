@@ -35,18 +35,22 @@ template <class T> struct ProjectileShape {
   Nose nose = Nose::blunt;
   T diameter{};     ///< of the shank, m
   T shank_length{}; ///< m
-  T nose_length{};  ///< m: 0 if blunt; of the frustum if conical; of the ogive without flat; the radius if hemispherical
+  T nose_length{}; ///< m: 0 if blunt; of the frustum if conical; of the ogive without flat; the radius if hemispherical
   T tip_diameter{}; ///< flat at the tip of a conical or ogival nose, m
 };
 
-/// The projectiles of Liu et al. 2012, Fig. 4: 20 mm and about 197 g. The ogive (tangent, radius 59.45 mm) is given a flat
-/// of 1 mm. The hemispherical one is not in the paper: its shank is chosen for the same 197 g.
+/// The projectiles of Liu et al. 2012, Fig. 4: 20 mm and about 197 g. The ogive (tangent, radius 59.45 mm) is given a
+/// flat of 1 mm. The hemispherical one is not in the paper: its shank is chosen for the same 197 g.
 template <class T> ProjectileShape<T> paper_projectile(Nose nose) {
   switch (nose) {
-  case Nose::blunt: return {nose, T(20e-3), T(80e-3), T(0), T(0)};
-  case Nose::conical: return {nose, T(20e-3), T(68e-3), T(30e-3), T(2e-3)};
-  case Nose::ogival: return {nose, T(20e-3), T(62e-3), T(33e-3), T(1e-3)};
-  case Nose::hemispherical: return {nose, T(20e-3), T(73.2e-3), T(10e-3), T(0)};
+  case Nose::blunt:
+    return {nose, T(20e-3), T(80e-3), T(0), T(0)};
+  case Nose::conical:
+    return {nose, T(20e-3), T(68e-3), T(30e-3), T(2e-3)};
+  case Nose::ogival:
+    return {nose, T(20e-3), T(62e-3), T(33e-3), T(1e-3)};
+  case Nose::hemispherical:
+    return {nose, T(20e-3), T(73.2e-3), T(10e-3), T(0)};
   }
   throw SetupError("nose = " + std::to_string(static_cast<int>(nose)) + ": must be one of the enumerators");
 }
@@ -95,13 +99,16 @@ template <class T> T radius_at(const ProjectileShape<T> &s, T z) {
   const T radius = s.diameter / T(2), height = nose_height(s);
   const T before = std::max(T(0), height - z);
   switch (s.nose) {
-  case Nose::blunt: return radius;
-  case Nose::conical: return radius - (radius - s.tip_diameter / T(2)) * before / height;
+  case Nose::blunt:
+    return radius;
+  case Nose::conical:
+    return radius - (radius - s.tip_diameter / T(2)) * before / height;
   case Nose::ogival: {
     const T arc = ogive_radius(s);
     return std::sqrt(arc * arc - before * before) - (arc - radius);
   }
-  case Nose::hemispherical: return std::sqrt(std::max(T(0), radius * radius - before * before));
+  case Nose::hemispherical:
+    return std::sqrt(std::max(T(0), radius * radius - before * before));
   }
   return radius;
 }

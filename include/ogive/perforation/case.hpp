@@ -18,7 +18,7 @@ template <class T> struct PerforationCase {
   T clamp_radius = T(250e-3);     ///< of the plate, m
   T sph_radius = T(24e-3);        ///< radius of the disc of particles, m
   T spacing = T(0.6e-3);          ///< particle distance asked for, m
-  Lattice lattice = Lattice::cubic;
+  Lattice lattice = Lattice::ring; ///< cubic ones break up along their rows under tension
   Nose nose = Nose::blunt;
   T initial_velocity = T(303.5);  ///< m/s
   T friction = T(0);              ///< Coulomb, plate on projectile

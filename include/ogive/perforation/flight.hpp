@@ -74,10 +74,12 @@ template <class T> bool is_steady(const std::vector<FlightSample<T>> &samples, T
   return true;
 }
 
-/// Records a sample and concludes. Blunt: perforated once the velocity is steady (0.1 % of the initial velocity) with the
-/// nose inside the plate by a quarter of its thickness. Sharp: perforated once the tail has left the rear face. Stopped
-/// once the projectile moves backwards by more than 0.2 % of the initial velocity.
-template <class T> void record(Flight<T> &flight, const FlightSample<T> &sample) {
+/// Records a sample and concludes. Blunt: perforated once the velocity is steady (0.1 % of the initial velocity) and
+/// `is_plug_loose()` says so; before that a plug that still hangs on the plate may come back to the nose. Sharp:
+/// perforated once the tail has left the rear face. Stopped once the projectile moves backwards by more than 0.2 % of the
+/// initial velocity.
+template <class T, class IsPlugLoose>
+void record(Flight<T> &flight, const FlightSample<T> &sample, IsPlugLoose &&is_plug_loose) {
   flight.samples.push_back(sample);
   const T tolerance = T(1e-3) * flight.initial_velocity;
   if (flight.sharp) {
@@ -88,8 +90,7 @@ template <class T> void record(Flight<T> &flight, const FlightSample<T> &sample)
   if (sample.velocity < T(-2) * tolerance)
     flight.state = FlightState::stopped;
   else if (flight.sharp ? flight.velocity_at_tail.has_value()
-                        : sample.velocity > T(5) * tolerance && sample.nose > T(0.25) * flight.plate_thickness &&
-                              is_steady(flight.samples, tolerance))
+                        : sample.velocity > T(5) * tolerance && is_steady(flight.samples, tolerance) && is_plug_loose())
     flight.state = FlightState::perforated;
 }
 

@@ -40,7 +40,7 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
 
 /// Plug and debris: pieces of particles that no chain of neighbours nearer than `ratio` particle distances connects to the
 /// rim. In a quarter model a piece is taken with its mirror images.
-template <class M> auto find_fragments(const M &model, double ratio = 1.6) {
+template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   const auto &body = disc(model);
   const auto &nodes = model.nodes;
   using T = std::decay_t<decltype(body.spacing)>;
@@ -69,6 +69,9 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.6) {
   f.debris_mass = copies * (loose - mass[plug]);
   return f;
 }
+
+/// True once a piece of at least 1 g has come off the plate.
+template <class M> bool is_plug_loose(const M &model) { return find_fragments(model).plug_mass > 1e-3; }
 
 /// How far the particle that is deepest inside the projectile lies behind its surface, m; 0 if none is inside.
 template <class M> auto largest_intrusion(const M &model) {
