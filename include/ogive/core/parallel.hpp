@@ -17,7 +17,7 @@ inline constexpr Index loop_chunk = 128;
 
 /// Calls `f(i)` for i in [0, n), in parallel. `f` must write only what belongs to i.
 template <class F> void parallel_for(Index n, F &&f) {
-#pragma omp parallel for schedule(dynamic, loop_chunk)
+#pragma omp parallel for schedule(dynamic, loop_chunk) if (n > loop_chunk)
   for (Index i = 0; i < n; ++i) f(i);
 }
 
@@ -33,7 +33,7 @@ template <class R, class F, class Combine> R ordered_fold(Index n, R start, F &&
   constexpr Index block = 1024;
   const Index blocks = (n + block - 1) / block;
   std::vector<R> partial(static_cast<std::size_t>(blocks), start);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (blocks > 1)
   for (Index b = 0; b < blocks; ++b) {
     R folded = start;
     for (Index i = b * block, end = std::min(n, (b + 1) * block); i < end; ++i) folded = combine(folded, f(i));

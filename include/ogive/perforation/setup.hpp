@@ -42,11 +42,24 @@ template <class T> void clamp_at_radius(Nodes<T> &nodes, NodeRange range, T radi
     if (std::hypot(nodes.position[n][0], nodes.position[n][1]) >= radius * (T(1) - T(1e-6))) nodes.held[n] = held_all;
 }
 
-/// Mass of a range of nodes in the whole model, kg.
+/// Mass of a body's points in the whole model, kg.
 template <class T> T whole_mass(const std::vector<T> &point_mass, SymmetryPlanes symmetry) {
   T mass{};
   for (T m : point_mass) mass += m;
   return T(symmetry.copies()) * mass;
+}
+
+/// Raises the stable time step of thin hexes towards `dt` (s) by adding mass to their nodes, as far as `largest` (kg)
+/// allows.
+template <class T, class Body> void raise_time_step_within(Body &body, Nodes<T> &nodes, T dt, T largest) {
+  for (;; dt *= T(0.8)) {
+    Body heavier = body;
+    Nodes<T> loaded = nodes;
+    if (raise_time_step(heavier, loaded, dt) > largest) continue;
+    body = std::move(heavier);
+    nodes = std::move(loaded);
+    return;
+  }
 }
 
 /// Builds the model of a case: a disc of particles tied to a rim of hexes that is clamped at its outer radius, and a
@@ -86,12 +99,9 @@ PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationC
   auto shot = add_hex_body<Rule>(nodes, shot_mesh, projectile_metal, "projectile", options.hex);
   hold_on_planes(nodes, shot.nodes, planes, tolerance);
   set_velocity(nodes, shot.nodes, Vec3<T>(T(0), T(0), -c.initial_velocity));
-  if (!c.rigid_projectile) {
-    const T added = raise_time_step(shot, nodes, stable_time_step(particles, nodes));
-    const T allowed = options.largest_added_mass * whole_mass(shot.point_mass, {});
-    require(added <= allowed, "mass added to the projectile's tip (kg)", added,
-            "too much: the particle distance is too large for the projectile's mesh");
-  }
+  if (!c.rigid_projectile)
+    raise_time_step_within(shot, nodes, stable_time_step(particles, nodes),
+                           options.largest_added_mass * whole_mass(shot.point_mass, {}));
 
   std::vector<Index> slaves;
   std::vector<T> offset;

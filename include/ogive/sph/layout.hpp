@@ -64,26 +64,30 @@ template <class T> ParticleLayout<T> cubic_disc(const DiscShape<T> &disc, Extent
 }
 
 /// Concentric rings, each with a whole number of particles of nearly equal distance; volumes follow from the ring's area.
+/// Every second layer has one ring more and one particle more in each quarter of a ring, so that particles form neither
+/// columns nor cylinders along which the plate would part too easily.
 template <class T> ParticleLayout<T> ring_disc(const DiscShape<T> &disc, Extent extent) {
   check(disc);
   const Index layers = layer_count(disc.thickness, disc.spacing);
   ParticleLayout<T> layout;
   layout.spacing = disc.thickness / T(layers);
-  const Index rings = std::max(Index(1), static_cast<Index>(std::lround(disc.radius / layout.spacing)));
-  const T width = disc.radius / T(rings), pi = std::numbers::pi_v<T>;
-  const T angle = T(2) * pi / T(symmetry_planes(extent).copies());
-  for (Index k = 0; k < layers; ++k)
+  const Index fewest = std::max(Index(1), static_cast<Index>(std::lround(disc.radius / layout.spacing)));
+  const T pi = std::numbers::pi_v<T>, angle = T(2) * pi / T(symmetry_planes(extent).copies());
+  const Index quarters = 4 / symmetry_planes(extent).copies();
+  for (Index k = 0; k < layers; ++k) {
+    const Index more = k % 2, rings = fewest + more;
+    const T width = disc.radius / T(rings);
     for (Index r = 0; r < rings; ++r) {
       const T radius = (T(r) + T(0.5)) * width;
-      const Index quarter_count =
-          std::max(Index(1), static_cast<Index>(std::lround(T(0.5) * pi * radius / layout.spacing)));
-      const Index count = quarter_count * 4 / symmetry_planes(extent).copies();
+      const Index in_quarter = std::max(Index(1), static_cast<Index>(std::lround(T(0.5) * pi * radius / layout.spacing)));
+      const Index count = (in_quarter + more) * quarters;
       for (Index c = 0; c < count; ++c) {
         const T phi = angle * (T(c) + T(0.5)) / T(count);
         layout.positions.push_back({radius * std::cos(phi), radius * std::sin(phi), -(T(k) + T(0.5)) * layout.spacing});
         layout.volumes.push_back(angle / T(count) * radius * width * layout.spacing);
       }
     }
+  }
   sort_by_cell(layout);
   return layout;
 }

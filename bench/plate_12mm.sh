@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# plate_12mm.sh [folder]: the four measured shots on 12 mm Weldox 460 E with a blunt nose, as the default case, with the
+# other lattice, a rigid projectile, and the standard form; then the other noses. Shots that the folder holds already are
+# not run again. Prints a table in Markdown.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+folder=${1:-$here/../vtk_out/plate_12mm}
+source "$here/shots.sh"
+
+velocities=(200.4 244.2 303.5 399.6)
+four() { # name text [option]...
+  local name=$1 text=$2 v
+  shift 2
+  for v in "${velocities[@]}"; do
+    shoot "${name}_$v" --velocity-mps "$v" "$@"
+    row "${name}_$v" "$text"
+  done
+}
+one() { # name text [option]...
+  shoot "$1" "${@:3}"
+  row "$1" "$2"
+}
+
+made_by plate_12mm.sh
+table
+four ring 'ring lattice'
+four cubic 'cubic lattice' --lattice cubic
+four rigid 'rigid projectile' --projectile rigid
+four standard 'standard form' --form standard
+one conical 'conical nose' --nose conical --velocity-mps 355.6
+one ogival 'ogival nose' --nose ogival --velocity-mps 355.6
+one hemispherical 'hemispherical nose' --nose hemispherical --velocity-mps 355.6
+one aluminium 'AA5083-H116, 15 mm, conical nose' --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 250

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# sensitivity.sh [folder]: what the choices that the paper leaves open do to one shot (12 mm, blunt, 303.5 m/s, particles
+# 1 mm apart). Shots that the folder holds already are not run again. Prints a table in Markdown.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+folder=${1:-$here/../vtk_out/sensitivity}
+source "$here/shots.sh"
+
+one() { # name text [option]...
+  shoot "$1" --spacing-mm 1 "${@:3}"
+  row "$1" "$2"
+}
+
+made_by sensitivity.sh
+table
+one base 'as it is, 1 mm'
+one spacing_1.2 'particle distance 1.2 mm' --spacing-mm 1.2
+one spacing_0.8 'particle distance 0.8 mm' --spacing-mm 0.8
+one spacing_0.6 'particle distance 0.6 mm' --spacing-mm 0.6
+one cubic 'cubic lattice' --lattice cubic
+one rigid 'rigid projectile' --projectile rigid
+one standard 'standard form' --form standard
+one wendland 'Wendland C2 kernel' --kernel wendland_c2
+one variable 'variable smoothing length' --smoothing variable
+one b_bar 'hexes with 2×2×2 points' --element selective_reduced
+one jc 'classical Johnson–Cook' --model jc
+one mie_gruneisen 'Mie–Grüneisen pressure' --pressure mie_gruneisen
+one radius_18 'disc of particles 18 mm in radius' --sph-radius-mm 18
+one clamp_150 'clamp at 150 mm' --clamp-radius-mm 150
+one friction 'friction 0.1' --friction 0.1

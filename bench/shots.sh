@@ -1,0 +1,43 @@
+# Sourced by the other scripts here: runs shots once and reads their summaries. Needs `folder`.
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+"$root/scripts/build.sh" perforate
+mkdir -p "$folder"
+
+# value name key: a value of the shot's summary
+value() { sed -nE "s/^  \"$2\": \"?([^\",]*)\"?,?\$/\1/p" "$folder/$1/summary.json"; }
+
+# shoot name [option of perforate]...: runs the shot unless its summary is there
+shoot() {
+  local name=$1
+  shift
+  [ -e "$folder/$name/summary.json" ] && return
+  "$root/scripts/with_display.sh" "$root/build/release/apps/perforate" --quiet --no-vtk --out "$folder/$name" "$@" \
+    > "$folder/$name.log" 2>&1 || echo "$name ended with status $?: see $folder/$name.log" >&2
+}
+
+# number name key format [factor]: a value, formatted; a dash where there is none
+number() {
+  local found
+  found=$(value "$1" "$2")
+  if [ -z "$found" ] || [ "$found" = null ]; then printf -- '–'; else awk "BEGIN { printf \"$3\", $found * ${4:-1} }"; fi
+}
+
+# row name text: one line of the table
+row() {
+  echo "| $2 | $(number "$1" initial_velocity_mps %.1f) | $(number "$1" test_residual_velocity_mps %.1f) |" \
+    "$(number "$1" residual_velocity_mps %.1f) | $(number "$1" plug_mass_g %.1f) |" \
+    "$(number "$1" energy_error %.3f 100) | $(number "$1" largest_intrusion_mm %.3f) | $(value "$1" steps) |" \
+    "$(number "$1" wall_s %.0f) | $(number "$1" ns_per_particle_step %.0f) |"
+}
+
+table() {
+  echo '| case | initial, m/s | test, m/s | computed, m/s | plug, g | energy error, % | intrusion, mm | steps | wall, s | ns per particle and step |'
+  echo '|---|---|---|---|---|---|---|---|---|---|'
+}
+
+# made_by script: says where the numbers come from
+made_by() {
+  echo "Made by \`bench/$1\` with ogive $(sed -nE 's/.*version\[\] = "(.*)".*/\1/p' "$root/include/ogive/version.hpp")" \
+    "on $(nproc) cores."
+  echo
+}

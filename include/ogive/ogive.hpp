@@ -1,0 +1,13 @@
+#pragma once
+
+/// \file
+/// Everything but VTK: perforation of metal plates with coupled SPH and 8-node hexes.
+
+#include "ogive/material/library.hpp"
+#include "ogive/perforation/flight.hpp"
+#include "ogive/perforation/plug.hpp"
+#include "ogive/perforation/setup.hpp"
+#include "ogive/sim/energy.hpp"
+#include "ogive/sim/hash.hpp"
+#include "ogive/sim/run.hpp"
+#include "ogive/version.hpp"
