@@ -1,6 +1,5 @@
 #include "report.hpp"
 
-#include "ogive/io/atomic_file.hpp"
 #include "ogive/io/write_error.hpp"
 
 #include <omp.h>
@@ -18,13 +17,12 @@ int run(int argc, const char *const *argv) {
   if (!options) return success;
   prepare_out(*options);
   if (options->threads) omp_set_num_threads(*options->threads);
-  ogive::write_atomically(options->out / "case.toml", to_toml(*options));
 
-  const Shot shot = shoot(*options);
   const auto test = find_test(*options);
+  const Shot shot = shoot(*options);
+  print_table(*options, shot, test);
   write_summary(*options, shot, test);
   const std::string left_out = draw(*options, shot, test);
-  print_table(*options, shot, test);
   if (!left_out.empty()) std::fprintf(stderr, "perforate: left out: %s\n", left_out.c_str());
   if (!shot.fault) return success;
   std::fprintf(stderr, "perforate: stopped at %.3f us: %s (%s %d)\n", shot.fault->time_us, shot.fault->what.c_str(),

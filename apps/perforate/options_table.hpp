@@ -118,7 +118,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
     o.friction);
 
   const char *const numerics = "Discretisation";
-  f(Entry{numerics, "spacing_mm", "particle distance, at most half the thickness", "paper", {0.05, 10, "mm"}},
+  f(Entry{numerics, "spacing_mm", "particle distance, at most half the thickness", "paper", {0.05, 5, "mm"}},
     o.spacing_mm);
   f(Entry{numerics, "sph_radius_mm",
           "radius of the particles' disc, from 10 mm + 2 spacings to less than the clamp radius", "paper",
@@ -137,7 +137,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           {1, 100000, "us"}},
     o.end_us);
   f(Entry{run, "out", "folder for the results", "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps"}, o.out);
-  f(Entry{run, "output_every_us", "time between two frames", "ours", {0.01, 100000, "us"}}, o.output_every_us);
+  f(Entry{run, "output_every_us", "time between two frames", "ours", {0.5, 100000, "us"}}, o.output_every_us);
   f(Entry{run, "vtk", "write VTK files", "ours"}, o.vtk);
   f(Entry{run, "picture", "draw the section picture", "ours"}, o.picture);
   f(Entry{run, "quiet", "no progress on the terminal", "ours"}, o.quiet);

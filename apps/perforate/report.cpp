@@ -16,10 +16,11 @@ namespace perforate {
 
 bool perforated(const Shot &shot) {
   const auto &flight = shot.flight;
+  if (shot.fault) return false;
   if (flight.state != ogive::FlightState::in_progress) return flight.state == ogive::FlightState::perforated;
   const auto &last = flight.samples.back();
-  const double depth = flight.sharp ? last.shoulder : last.nose;
-  return !shot.fault && last.velocity > 5e-3 * flight.initial_velocity && depth > flight.plate_thickness;
+  const bool through = flight.sharp ? last.shoulder > flight.plate_thickness : shot.fragments.plug_mass > 1e-3;
+  return through && last.velocity > 5e-3 * flight.initial_velocity;
 }
 
 double residual_mps(const Shot &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
@@ -61,6 +62,14 @@ std::string case_title(const Options &o) {
 std::optional<experiment::Residual> find_test(const Options &o) {
   const std::string material = o.material == PlateMaterial::weldox_460e ? "Weldox 460 E" : "AA5083-H116";
   return experiment::find_residual(PERFORATE_DATA_FOLDER, material, std::string(ogive::name(o.nose)), o.thickness_mm, o.velocity_mps);
+}
+
+void start_results(const Options &o) {
+  for (const char *name : {"summary.json", "history.csv", "section.png", "velocity.svg"}) {
+    std::error_code ignored;
+    std::filesystem::remove(o.out / name, ignored);
+  }
+  ogive::write_atomically(o.out / "case.toml", to_toml(o));
 }
 
 void announce(const Options &o, const Sizes &s) {

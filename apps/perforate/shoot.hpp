@@ -46,6 +46,9 @@ template <class M> Sizes sizes_of(const M &model) {
   return s;
 }
 
+/// Writes case.toml and removes the results of an earlier run from the folder. Throws WriteError.
+void start_results(const Options &options);
+
 /// Prints what is about to be computed.
 void announce(const Options &options, const Sizes &sizes);
 
@@ -65,13 +68,13 @@ Shot shoot_with(const Options &options, ogive::Metal<double, Law> plate) {
   shot.flight = ogive::start_flight(c);
   shot.symmetry = model.symmetry;
   announce(options, shot.sizes);
+  start_results(options);
 
   auto history = ogive::open_csv(options.out / "history.csv",
                                  {"time_us", "velocity_m_per_s", "nose_depth_mm", "tail_depth_mm", "kinetic_J",
                                   "elastic_J", "plastic_J", "hourglass_J", "viscous_J", "contact_J", "friction_J",
                                   "external_J", "total_J", "momentum_N_s", "support_impulse_N_s"});
-  ogive::VtkSeries series;
-  if (options.vtk) series = ogive::open_series(options.out, "perforation");
+  auto series = ogive::open_series(options.out, "perforation");
   Progress progress{.quiet = options.quiet};
   double first_energy = 0, first_momentum = 0, next_frame_us = 0, writing_s = 0;
   const auto write_frame = [&] {
@@ -90,7 +93,8 @@ Shot shoot_with(const Options &options, ogive::Metal<double, Law> plate) {
     const double momentum = -ogive::momentum(now)[2], time_us = now.time * 1e6;
     const double impulse = -now.support_impulse[2] * now.symmetry.copies();
     if (shot.flight.samples.size() == 1) first_energy = total(e), first_momentum = momentum;
-    shot.energy_error = std::max(shot.energy_error, std::abs(total(e) / first_energy - 1));
+    const double error = std::abs(total(e) / first_energy - 1);
+    if (!(error <= shot.energy_error)) shot.energy_error = error;
     shot.momentum_error =
         std::max(shot.momentum_error, std::abs(momentum - first_momentum - impulse) / first_momentum);
     ogive::add_row(history, {time_us, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic, e.elastic,
@@ -98,24 +102,23 @@ Shot shoot_with(const Options &options, ogive::Metal<double, Law> plate) {
                              impulse});
     if (time_us >= next_frame_us) {
       write_frame();
+      shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(now) * 1e3);
       last_frame_us = time_us;
       next_frame_us += options.output_every_us;
     }
     show(progress, time_us, options.end_us, sample.velocity, now.steps);
     return shot.flight.state == ogive::FlightState::in_progress;
   });
-  shot.wall_s = elapsed_s(progress);
+  shot.loop_s = elapsed_s(progress) - writing_s;
   if (last_frame_us < model.time * 1e6) write_frame();
   show(progress, model.time * 1e6, options.end_us, shot.flight.samples.back().velocity, model.steps, true);
 
   shot.reason = result.reason;
   shot.fault = result.fault;
-  shot.loop_s = shot.wall_s - writing_s;
   shot.wall_s = elapsed_s(progress);
   shot.steps = model.steps;
   shot.simulated_us = model.time * 1e6;
   shot.fragments = ogive::find_fragments(model);
-  shot.intrusion_mm = ogive::largest_intrusion(model) * 1e3;
   shot.state_hash = ogive::state_hash(model);
   shot.last_frame = ogive::gather_frame(model);
   return shot;

@@ -32,7 +32,7 @@ struct Shot {
   ogive::StopReason reason = ogive::StopReason::end_time;
   std::optional<ogive::Fault> fault;
   ogive::Fragments<double> fragments;
-  double intrusion_mm = 0;
+  double intrusion_mm = 0;   ///< deepest over the frames: particle behind the projectile's surface
   double energy_error = 0;   ///< largest over the run, of the initial energy
   double momentum_error = 0; ///< largest over the run, against the supports' impulse, of the initial momentum
   double loop_s = 0;         ///< wall time of the time loop without writing files
@@ -44,8 +44,8 @@ struct Shot {
   ogive::SymmetryPlanes symmetry;
 };
 
-/// True if the projectile came through: perforated, or at the end of the time it flies on with its nose (sharp: its
-/// shoulder) beyond the rear face.
+/// True if the projectile came through: perforated, or at the end of the time it flies on with a plug loose (sharp: with
+/// its shoulder beyond the rear face).
 bool perforated(const Shot &shot);
 
 /// Residual velocity in m/s, 0 unless perforated.

@@ -50,11 +50,16 @@ struct Residual {
 inline std::optional<Residual> find_residual(const std::filesystem::path &folder, const std::string &material,
                                              const std::string &nose, double thickness_mm, double velocity_mps) {
   const auto same = [&](const std::vector<std::string> &row) {
-    return row.size() > 5 && row[1] == material && row[2] == nose && std::abs(std::stod(row[3]) - thickness_mm) < 0.01;
+    return row.size() > 7 && row[1] == material && row[2] == nose && std::abs(std::stod(row[3]) - thickness_mm) < 0.01;
   };
+  std::optional<Residual> shot;
+  double nearest = 0.5;
   for (const auto &row : read_rows(folder / "experiment_shots.csv"))
-    if (same(row) && std::abs(std::stod(row[4]) - velocity_mps) < 0.5)
-      return Residual{std::stod(row[5]), "measured, " + row[6] + " (" + row[7] + ")"};
+    if (const double gap = same(row) ? std::abs(std::stod(row[4]) - velocity_mps) : 1; gap < nearest) {
+      nearest = gap;
+      shot = Residual{std::stod(row[5]), "measured, " + row[6]};
+    }
+  if (shot) return shot;
   for (const auto &row : read_rows(folder / "experiment_limits.csv"))
     if (same(row)) {
       const double limit = std::stod(row[4]), mass_kg = 0.197;
@@ -64,7 +69,7 @@ inline std::optional<Residual> find_residual(const std::filesystem::path &folder
       const double p = row[6].empty() ? 2.0 : std::stod(row[6]);
       const double residual =
           velocity_mps > limit ? a * std::pow(std::pow(velocity_mps, p) - std::pow(limit, p), 1 / p) : 0.0;
-      return Residual{residual, "Recht-Ipson curve through the measured limit, " + row[7] + " (" + row[8] + ")"};
+      return Residual{residual, "Recht-Ipson curve through the measured limit, " + row[7]};
     }
   return std::nullopt;
 }

@@ -87,7 +87,7 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--end-us", "0"}, "--end-us = 0: must lie between 1 and 100000 us"},
       {{"--output-every-us", "0"}, "--output-every-us = 0: must lie between 0.01 and 100000 us"},
       {{"--clamp-radius-mm", "5000"}, "--clamp-radius-mm = 5000: must lie between 12 and 2000 mm"},
-      {{"--spacing-mm", "-0.6"}, "--spacing-mm = -0.6: must lie between 0.05 and 10 mm"},
+      {{"--spacing-mm", "-0.6"}, "--spacing-mm = -0.6: must lie between 0.05 and 5 mm"},
       {{"--spacing-mm", "7"}, "--spacing-mm = 7: must be at most half the thickness of the plate, 6 mm"},
       {{"--sph-radius-mm", "11"},
        "--sph-radius-mm = 11: must lie between 11.2 mm, the projectile's radius and two spacings, and less than the "

@@ -77,29 +77,29 @@ TEST_CASE("no slave passes through a flat face, an edge or a cone at speed", "[c
   // the other half of the offset.
   const double entry = speed * dt / std::sqrt(0.1);
   REQUIRE(entry < 0.2 * offset);
-  std::vector<V> cloud; // a disc of five layers below z = 0, not aligned with any mesh
-  for (int k = 0; k < 5; ++k)
+  std::vector<V> cloud; // a disc of three layers below z = 0, not aligned with any mesh
+  for (int k = 0; k < 3; ++k)
     for (int j = -12; j <= 12; ++j)
       for (int i = -12; i <= 12; ++i)
         cloud.push_back(spacing * V(i + 0.31 + 0.2 * (k % 2), j + 0.17, -k - 0.55));
   SECTION("flat face and the rim around it") {
     const auto mesh = projectile_mesh(paper_projectile<double>(Nose::blunt), spacing, Extent::full);
-    const Passage p = drive_through(mesh, cloud, 8e-3);
-    CHECK(p.touched > 5 * 3.14 * 81); // all in front of the face at least
+    const Passage p = drive_through(mesh, cloud, 6e-3);
+    CHECK(p.touched > 3 * 3.14 * 81); // all in front of the face at least
     CHECK(p.deepest < -0.5 * offset);
   }
   SECTION("edge of a block") {
     auto mesh = brick<double>(12, 2, 2, V(12e-3, 6e-3, 6e-3)); // turned by 45 degrees about x, lower edge first
     const auto turn = fem_test::rotation(V(1, 0, 0), 0.25 * 3.14159265358979);
     for (V &x : mesh.positions) x = turn * (x - V(6e-3, 0, 0));
-    const Passage p = drive_through(mesh, cloud, 8e-3);
-    CHECK(p.touched > 5 * 12 * 5);
+    const Passage p = drive_through(mesh, cloud, 6e-3);
+    CHECK(p.touched > 3 * 12 * 5);
     CHECK(p.deepest < -0.5 * offset);
   }
   SECTION("conical nose") {
     const auto mesh = projectile_mesh(paper_projectile<double>(Nose::conical), spacing, Extent::full);
-    const Passage p = drive_through(mesh, cloud, 25e-3);
-    CHECK(p.touched > 5 * 3.14 * 49);
+    const Passage p = drive_through(mesh, cloud, 16e-3);
+    CHECK(p.touched > 3 * 3.14 * 16);
     CHECK(p.deepest < -0.5 * offset);
   }
 }

@@ -37,7 +37,9 @@ template <class Make> void strike(double offset, Make &&make) {
   CHECK((momentum(model) - p).norm() < 1e-13 * p.norm());
   CHECK(error < 0.01);
   CHECK(stored > 0.01 * e); // there was an impact
-  CHECK(std::abs(energy(model).contact) < 1e-3 * e); // springs give back what they took
+  // Springs give back what they took, but for the fraction of a step in which a slave meets or leaves the surface: up to
+  // half of 0.1 m v^2 for each slave and touch, and a quarter of the block's mass touches.
+  CHECK(std::abs(energy(model).contact) < 0.01 * e);
   // They have parted, the struck body first, and no faster than if nothing had been lost to vibration.
   const double before = speed, after = mean_velocity(model.nodes, flying)[2] - mean_velocity(model.nodes, struck)[2];
   CHECK(after > 0.3 * before);

@@ -48,13 +48,13 @@ TEST_CASE("bodies that spin by a quarter turn bear no stress but the centrifugal
     double largest = 0;
     for (Index i = 0; i < body.points.size(); ++i)
       largest = std::max({largest, von_mises(body.points.deviator[i]), std::abs(body.points.pressure[i])});
-    WARN(body.name << " " << largest / centrifugal);
     CHECK(largest < 2 * centrifugal);
   });
   const double angle = omega * model.time;
   // The stretch is of the order centrifugal/E = 4e-5 of the radius, and the spin slows down by twice that.
   CHECK((model.nodes.position[0] - fem_test::rotation(axis, angle) * corner).norm() < 3e-4 * radius);
-  // No internal force has a moment: round-off over 1600 steps.
-  CHECK((spin_of(model.nodes) - spin).norm() < 1e-11 * spin.norm());
+  // Hexes bear no moment to round-off. Particles compute the gradient with the volumes of the last step and the force
+  // with the new ones: the moment is of the order of the change of density in a step, 1e-6, times the stress.
+  CHECK((spin_of(model.nodes) - spin).norm() < 1e-8 * spin.norm());
   CHECK(total(energy(model)) == Approx(before).epsilon(1e-4));
 }

@@ -1,6 +1,8 @@
 #include "catch.hpp"
 #include "sim/blocks.hpp"
 
+#include "ogive/fem/facets.hpp"
+
 #include <numbers>
 
 using namespace sim_test;

@@ -52,8 +52,8 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   Vec3<T> direction = best.normal;
   if (distance > T(1e-3) * contact.facet_radius[facet]) direction = (outside ? T(1) : T(-1)) / distance * gap;
   const T near = T(1e-6) * contact.facet_radius[facet];
-  if (contact.symmetry.x && std::abs(best.position[0]) < near) direction[0] = T(0);
-  if (contact.symmetry.y && std::abs(best.position[1]) < near) direction[1] = T(0);
+  if (contact.symmetry.x && std::abs(p[0]) < near) direction[0] = T(0);
+  if (contact.symmetry.y && std::abs(p[1]) < near) direction[1] = T(0);
   const T length = direction.norm();
   if (length < T(0.1)) return {};
   return {facet, best.weights, direction / length, depth};
@@ -81,6 +81,15 @@ ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &op
   return c;
 }
 
+/// Mass that the penalty stiffness of slave `s` is made with, kg: the smaller of its own and the facet's at the point of
+/// contact, so that light facet nodes stay stable.
+template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
+  if (contact.master_mass.empty()) return contact.slave_mass[s];
+  T facet_mass{};
+  for (int c = 0; c < 4; ++c) facet_mass += touch.weights[c] * contact.master_mass[touch.facet][c];
+  return std::min(contact.slave_mass[s], facet_mass);
+}
+
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come is
 /// `next`) to the ledger
 /// (trapezoidal rule between the forces before and now).
@@ -101,17 +110,15 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     const ContactForce<T> before = contact.forces[s];
     ContactForce<T> now;
     if (const Touch<T> touch = find_touch(contact, nodes, a); touch.facet >= 0) {
-      const Facet &facet = contact.facets[touch.facet];
-      T facet_mass{};
-      for (Index n : facet.nodes) facet_mass = std::max(facet_mass, nodes.mass[n]);
-      now = contact_force(touch, contact.options, relative_velocity(nodes, node, facet, touch.weights),
-                          std::min(contact.slave_mass[s], facet_mass), contact.reference_time_step);
+      const Vec3<T> sliding = relative_velocity(nodes, node, contact.facets[touch.facet], touch.weights);
+      now = contact_force(touch, contact.options, sliding, penalty_mass(contact, s, touch),
+                          contact.reference_time_step);
     }
-    const ContactForce<T> &at = now.facet >= 0 ? now : before;
-    if (at.facet >= 0) {
-      const Vec3<T> v = relative_velocity(nodes, node, contact.facets[at.facet], at.weights);
-      contact.normal_energy[s] -= T(0.5) * dt * v.dot(before.normal + now.normal);
-      contact.friction_energy[s] -= T(0.5) * dt * v.dot(before.friction + now.friction);
+    for (const ContactForce<T> &c : {before, now}) {
+      if (c.facet < 0) continue;
+      const Vec3<T> v = relative_velocity(nodes, node, contact.facets[c.facet], c.weights);
+      contact.normal_energy[s] -= T(0.5) * dt * v.dot(c.normal);
+      contact.friction_energy[s] -= T(0.5) * dt * v.dot(c.friction);
     }
     contact.forces[s] = now;
     nodes.force[node] += now.normal + now.friction;

@@ -15,6 +15,7 @@ template <class T> struct ContactOptions {
   T friction = T(0);        ///< Coulomb's coefficient
   T stiffness = T(0.1);     ///< penalty stiffness over m/dt^2
   T sticking = T(0.3);      ///< largest friction force over m |v_t|/dt
+  bool rigid_masters = false; ///< the masses of the facets' nodes do not limit the stiffness
 };
 
 /// What acts on one slave node.
@@ -35,6 +36,7 @@ template <class T> struct NodeToSurface {
   std::vector<T> offset;        ///< m, one for each slave
   std::vector<T> slave_mass;    ///< kg
   std::vector<Facet> facets;    ///< masters, outward
+  std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
   T reference_time_step{};      ///< s, of the stiffness; set by the first step
   std::vector<ContactForce<T>> forces;  ///< one for each slave
   std::vector<T> normal_energy;         ///< J, work taken by the penalty springs, one for each slave
@@ -81,6 +83,13 @@ NodeToSurface<T> make_contact(const Nodes<T> &nodes, std::vector<Index> slaves, 
     require(!is_master[s], c.name + " slave node", s, "must not belong to a facet");
     c.slave_mass.push_back(nodes.mass[s]);
   }
+  if (!options.rigid_masters)
+    for (const Facet &f : facets) {
+      auto &mass = c.master_mass.emplace_back();
+      for (int k = 0; k < 4; ++k)
+        mass[k] = nodes.mass[f.nodes[k]] * T(nodes.held[f.nodes[k]] & held_x && symmetry.x ? 2 : 1) *
+                  T(nodes.held[f.nodes[k]] & held_y && symmetry.y ? 2 : 1);
+    }
   c.forces.resize(slaves.size());
   c.normal_energy.assign(slaves.size(), T(0));
   c.friction_energy.assign(slaves.size(), T(0));

@@ -61,7 +61,7 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
 
   T largest_offset{};
   for (T o : contact.offset) largest_offset = std::max(largest_offset, o);
-  const T reach = largest_offset + contact.search_margin;
+  const T reach = std::max(largest_offset, contact.search_margin) + contact.search_margin;
   Box<T> surface;
   for (const Facet &f : contact.facets) {
     const Box<T> box = facet_box(f, nodes, reach);

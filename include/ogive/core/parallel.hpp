@@ -44,7 +44,7 @@ template <class R, class F, class Combine> R ordered_fold(Index n, R start, F &&
   return folded;
 }
 
-/// Sum of `f(i)` over i in [0, n), the same bits for any number of threads. `zero` gives the type and the start.
+/// Sum of `f(i)` over i in [0, n), the same bits for any number of threads. `zero` gives the type.
 template <class R, class F> R ordered_sum(Index n, R zero, F &&f) {
   return ordered_fold(n, zero, f, [](const R &a, const R &b) -> R { return a + b; });
 }

@@ -16,7 +16,7 @@ template <class T> struct Fragments {
 };
 
 /// Number of the piece that each particle belongs to: the smallest particle index of the piece. Two particles are
-/// connected while they are nearer than `distance` (m).
+/// connected while they are nearer than `distance` (m). One piece before the first step, which makes the lists.
 template <class T, class Body>
 std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T distance) {
   const Index n = body.points.size();
@@ -26,6 +26,7 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
     while (piece[i] != i) i = piece[i] = piece[piece[i]];
     return i;
   };
+  if (body.neighbours.row_begin.empty()) return std::vector<Index>(n, 0);
   for (Index i = 0; i < n; ++i)
     for (Index j : row(body.neighbours, i)) {
       if (j <= i || j >= n) continue;

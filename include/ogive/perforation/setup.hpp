@@ -110,7 +110,7 @@ PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationC
   for (Index n = rim_hexes.nodes.begin; n < rim_hexes.nodes.end; ++n) slaves.push_back(n), offset.push_back(T(0));
   auto contact = make_contact(nodes, std::move(slaves), std::move(offset),
                               shifted(contact_facets(shot_mesh, c.extent), shot.nodes.begin), "plate on projectile",
-                              ContactOptions<T>{.friction = c.friction}, planes);
+                              ContactOptions<T>{.friction = c.friction, .rigid_masters = c.rigid_projectile}, planes);
   const auto edge = shifted(inner_facets(mesh_of_rim, rim_shape), rim_hexes.nodes.begin);
   auto tie = make_tie(nodes, particles.nodes, edge, rim_hexes.hexes, layout.spacing);
 

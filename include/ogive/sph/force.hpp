@@ -73,7 +73,6 @@ void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
     const std::array<T, 3> sign{image.flip_x ? T(-1) : T(1), image.flip_y ? T(-1) : T(1), T(1)};
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) d.flux[3 * r + c][k] = sign[r] * sign[c] * G(r, c);
-    d.volume[k] = volume;
     d.density[k] = body.points.density[i];
   });
   const T h = reference_smoothing_length(body);

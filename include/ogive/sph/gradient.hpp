@@ -83,13 +83,21 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Index i, std::span<const Ind
   return sums;
 }
 
-/// B = M^-1 where neighbours surround the particle well enough in all three directions, else the identity (lone particles,
-/// strings, sheets), where B would be so large that the time step is no longer stable. With m = tr M / 3: 0.25 < m < 1.5
-/// and det M > 0.5 m^3. On a lattice m is 1 inside, 0.68 at a face, 0.47 at an edge and 0.31 at a corner, where det M / m^3
-/// is still above 0.8.
+/// True if all eigenvalues of the symmetric matrix `m` lie above `bound` (Sylvester's criterion for m - bound I).
+template <class T> bool eigenvalues_above(const Mat3<T> &m, T bound) {
+  const T a = m(0, 0) - bound, b = m(1, 1) - bound, c = m(2, 2) - bound;
+  const T minor = a * b - m(0, 1) * m(0, 1);
+  const T det = a * (b * c - m(1, 2) * m(1, 2)) - m(0, 1) * (m(0, 1) * c - m(1, 2) * m(0, 2)) +
+                m(0, 2) * (m(0, 1) * m(1, 2) - b * m(0, 2));
+  return a > T(0) && minor > T(0) && det > T(0);
+}
+
+/// B = M^-1 where neighbours surround the particle: all eigenvalues of M above 0.15 and their mean below 1.5; else the
+/// identity (lone particles, strings, sheets). The highest frequency of a particle grows with the square root of B's
+/// largest eigenvalue, so that the bound keeps the time step stable. On a lattice the smallest eigenvalue is 1 inside and
+/// 0.24 at a corner, so that all free surfaces are corrected.
 template <class T> Mat3<T> correction_matrix(const Mat3<T> &moment) {
-  const T mean = moment.trace() / T(3);
-  const bool surrounded = mean > T(0.25) && mean < T(1.5) && determinant(moment) > T(0.5) * mean * mean * mean;
+  const bool surrounded = eigenvalues_above(moment, T(0.15)) && moment.trace() < T(4.5);
   return surrounded ? inverse(moment) : Mat3<T>(Mat3<T>::Identity());
 }
 

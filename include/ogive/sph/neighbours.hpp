@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,7 +26,7 @@ inline constexpr Index row_multiple = 8;
 /// Neighbour lists (CSR): row i lists all particles and mirror images within `reach` of particle i when the lists were
 /// built; index n + g is mirror image g.
 template <class T> struct Neighbours {
-  std::vector<Index> row_begin; ///< n + 1
+  std::vector<std::int64_t> row_begin; ///< n + 1
   std::vector<Index> list;
   std::vector<MirrorImage> images;
   std::vector<Vec3<T>> built_at; ///< positions at the time of building, m
@@ -64,7 +65,7 @@ template <class T> CellGrid<T> sort_into_cells(const std::vector<Vec3<T>> &posit
   for (;; size *= T(1.5)) {
     double total = 1;
     for (int d = 0; d < 3; ++d) total *= std::floor(double(high[d] - low[d]) / double(size)) + 1.0;
-    if (total <= limit) break;
+    if (!(total > limit)) break;
   }
   grid.inverse_size = T(1) / size;
   for (int d = 0; d < 3; ++d) grid.cells[d] = static_cast<Index>((high[d] - low[d]) * grid.inverse_size) + 1;
@@ -149,16 +150,16 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
     for (Index i = begin; i < end; ++i) {
       append_within(grid, all[i], n.reach, i, rows);
       while (rows.size() % row_multiple) rows.push_back(i);
-      n.row_begin[i + 1] = static_cast<Index>(rows.size());
+      n.row_begin[i + 1] = static_cast<std::int64_t>(rows.size());
     }
   });
-  Index offset = 0;
+  std::int64_t offset = 0;
   for (Index begin = 0; begin < count; begin += chunk) {
     const Index end = std::min(count, begin + chunk);
     for (Index i = begin; i < end; ++i) n.row_begin[i + 1] += offset;
     offset = n.row_begin[end];
   }
-  n.list.resize(offset);
+  n.list.resize(static_cast<std::size_t>(offset));
   parallel_for_chunks(count, chunk, [&](Index begin, Index) {
     const auto &rows = chunk_rows[begin / chunk];
     std::copy(rows.begin(), rows.end(), n.list.begin() + n.row_begin[begin]);
@@ -179,7 +180,15 @@ bool are_stale(const Neighbours<T> &n, std::span<const Vec3<T>> positions, Symme
         const Vec3<T> u = positions[i] - n.built_at[i];
         return Box{u, u};
       },
-      [](const Box &a, const Box &b) { return Box{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; });
+      [](const Box &a, const Box &b) {
+        // Written so that a NaN stays: lists of such positions must not be built.
+        Box c = a;
+        for (int d = 0; d < 3; ++d) {
+          if (!(b.low[d] >= a.low[d]) && a.low[d] == a.low[d]) c.low[d] = b.low[d];
+          if (!(b.high[d] <= a.high[d]) && a.high[d] == a.high[d]) c.high[d] = b.high[d];
+        }
+        return c;
+      });
   Vec3<T> extent = box.high - box.low;
   if (planes.x) extent[0] = std::max(extent[0], T(2) * std::max(box.high[0], -box.low[0]));
   if (planes.y) extent[1] = std::max(extent[1], T(2) * std::max(box.high[1], -box.low[1]));

@@ -1,0 +1,114 @@
+#include "catch.hpp"
+
+#include "ogive/perforation/flight.hpp"
+
+using namespace ogive;
+
+namespace {
+
+Flight<double> flight_of(Nose nose) {
+  PerforationCase<double> c;
+  c.nose = nose;
+  c.thickness = 12e-3;
+  c.initial_velocity = 300;
+  return start_flight(c);
+}
+
+const auto loose = [] { return true; };
+const auto hanging = [] { return false; };
+
+/// Samples each microsecond from `time` (us) of a projectile of 80 mm with a nose of 30 mm whose tail is at `tail` (m).
+template <class Velocity, class Loose>
+void fly(Flight<double> &flight, int from, int to, Velocity &&velocity, Loose &&is_loose, double tail = -60e-3) {
+  for (int t = from; t < to && flight.state == FlightState::in_progress; ++t)
+    record(flight, {t * 1e-6, velocity(t), tail + 80e-3, tail + 50e-3, tail}, is_loose);
+}
+
+} // namespace
+
+TEST_CASE("a blunt shot is perforated once its velocity is steady and the plug loose", "[perforation]") {
+  // 1 mm at 200 m/s takes 5 us: 10 us is the least interval.
+  CHECK(steady_interval(200.0) == Approx(10e-6));
+  CHECK(steady_interval(50.0) == Approx(20e-6));
+  CHECK(steady_interval(1.0) == Approx(60e-6));
+  CHECK(steady_interval(-5.0) == Approx(60e-6));
+
+  const auto slowing = [](int t) { return t < 50 ? 300.0 - 2 * t : 200.0; };
+  auto flight = flight_of(Nose::blunt);
+  fly(flight, 0, 50, slowing, loose);
+  CHECK(flight.state == FlightState::in_progress);
+  CHECK(residual_velocity(flight) == 0);
+  fly(flight, 50, 200, slowing, loose);
+  CHECK(flight.state == FlightState::perforated);
+  CHECK(residual_velocity(flight) == 200);
+  CHECK(flight.samples.back().time == Approx(60e-6)); // 10 us after the velocity came to rest
+  CHECK_FALSE(flight.velocity_at_tail);
+
+  auto stuck = flight_of(Nose::blunt);
+  fly(stuck, 0, 200, slowing, hanging);
+  CHECK(stuck.state == FlightState::in_progress);
+  fly(stuck, 200, 202, slowing, loose);
+  CHECK(stuck.state == FlightState::perforated);
+}
+
+TEST_CASE("a drift above a thousandth of the initial velocity is not steady", "[perforation]") {
+  auto flight = flight_of(Nose::blunt); // 0.1 m/s in a us: 1 m/s in the interval of 10 us, against 0.3 m/s
+  fly(flight, 0, 300, [](int t) { return 200 - 0.1 * t; }, loose);
+  CHECK(flight.state == FlightState::in_progress);
+  auto slower = flight_of(Nose::blunt); // 0.02 m/s in a us: 0.2 m/s
+  fly(slower, 0, 300, [](int t) { return 200 - 0.02 * t; }, loose);
+  CHECK(slower.state == FlightState::perforated);
+}
+
+TEST_CASE("a projectile that flies back has been stopped", "[perforation]") {
+  for (const Nose nose : {Nose::blunt, Nose::conical}) {
+    auto flight = flight_of(nose);
+    fly(flight, 0, 101, [](int t) { return 100.0 - t; }, loose); // down to rest
+    CHECK(flight.state == FlightState::in_progress);
+    fly(flight, 101, 200, [](int t) { return -0.1 * (t - 101); }, loose);
+    CHECK(flight.state == FlightState::stopped);
+    CHECK(flight.samples.back().velocity < -0.6); // 0.2 % of 300 m/s
+    CHECK(flight.samples.back().velocity > -0.75);
+    CHECK(residual_velocity(flight) == 0);
+  }
+}
+
+TEST_CASE("a blunt projectile at rest is neither perforated nor stopped", "[perforation]") {
+  auto flight = flight_of(Nose::blunt);
+  fly(flight, 0, 400, [](int) { return 1.0; }, loose); // below 0.5 % of 300 m/s
+  CHECK(flight.state == FlightState::in_progress);
+}
+
+TEST_CASE("a sharp shot notes shoulder and tail and ends when the tail has left", "[perforation]") {
+  auto flight = flight_of(Nose::conical);
+  CHECK(flight.sharp);
+  // The tail starts 100 mm above the front face; 0.25 mm each us; the shank drags on the plate all the time.
+  for (int t = 0; t < 1000 && flight.state == FlightState::in_progress; ++t) {
+    const double tail = -100e-3 + 0.25e-3 * t;
+    record(flight, {t * 1e-6, 250 - 0.05 * t, tail + 100e-3, tail + 68e-3, tail}, hanging);
+  }
+  CHECK(flight.state == FlightState::perforated);
+  // Shoulder 12 mm deep at t = (12 + 32)/0.25 = 176, tail at 448; a sample either way is round-off.
+  REQUIRE(flight.velocity_at_shoulder);
+  REQUIRE(flight.velocity_at_tail);
+  CHECK(*flight.velocity_at_shoulder == Approx(250 - 0.05 * 176).margin(0.051));
+  CHECK(*flight.velocity_at_tail == Approx(250 - 0.05 * 448).margin(0.051));
+  CHECK(residual_velocity(flight) == *flight.velocity_at_tail);
+}
+
+TEST_CASE("a flight is read off the model", "[perforation]") {
+  PerforationCase<double> c;
+  c.thickness = 8e-3;
+  c.clamp_radius = 60e-3;
+  c.sph_radius = 16e-3;
+  c.spacing = 1.6e-3;
+  c.nose = Nose::conical;
+  auto model = make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
+  const auto shape = paper_projectile<double>(Nose::conical);
+  for (Index n = projectile(model).nodes.begin; n < projectile(model).nodes.end; ++n) model.nodes.position[n][2] -= 50e-3;
+  const auto s = observe_flight(model, shape);
+  CHECK(s.velocity == Approx(303.5));
+  CHECK(s.nose == Approx(50e-3));
+  CHECK(s.shoulder == Approx(20e-3)); // the nose is 30 mm long
+  CHECK(s.tail == Approx(-48e-3));    // 98 mm in all
+}

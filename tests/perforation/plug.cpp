@@ -1,0 +1,87 @@
+#include "catch.hpp"
+
+#include "ogive/perforation/plug.hpp"
+
+using namespace ogive;
+
+namespace {
+
+auto plate_and_shot(Nose nose, Extent extent) {
+  PerforationCase<double> c;
+  c.thickness = 6e-3;
+  c.clamp_radius = 60e-3;
+  c.sph_radius = 16e-3;
+  c.spacing = 1e-3;
+  c.nose = nose;
+  c.extent = extent;
+  auto model = make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
+  prepare(disc(model), model.nodes);
+  return model;
+}
+
+} // namespace
+
+TEST_CASE("a whole plate has no plug", "[perforation]") {
+  const auto model = plate_and_shot(Nose::blunt, Extent::quarter);
+  const auto f = find_fragments(model);
+  CHECK(f.pieces == 0);
+  CHECK(f.plug_mass == 0);
+  CHECK(f.debris_mass == 0);
+  CHECK_FALSE(is_plug_loose(model));
+}
+
+TEST_CASE("a cylinder moved out of the plate is the plug, a lone particle debris", "[perforation]") {
+  const Extent extent = GENERATE(Extent::full, Extent::half, Extent::quarter);
+  auto model = plate_and_shot(Nose::blunt, extent);
+  auto &body = disc(model);
+  double mass = 0, debris = 0;
+  Index lone = -1;
+  for (Index i = 0; i < body.nodes.size(); ++i) {
+    Vec3<double> &p = model.nodes.position[body.nodes.begin + i];
+    const double r = std::hypot(p[0], p[1]);
+    if (r < 10e-3) {
+      mass += body.point_mass[i];
+      p[2] -= 9e-3;
+      model.nodes.velocity[body.nodes.begin + i] = {5, -3, -150};
+    } else if (lone < 0 && r > 12e-3 && r < 14e-3) {
+      lone = i;
+      debris = body.point_mass[i];
+      p[2] += 30e-3;
+      model.nodes.velocity[body.nodes.begin + i] = {0, 0, 400};
+    }
+  }
+  REQUIRE(lone >= 0);
+  prepare(body, model.nodes);
+  const auto f = find_fragments(model);
+  CHECK(f.pieces == 2);
+  CHECK(f.plug_mass == Approx(model.symmetry.copies() * mass));
+  CHECK(f.plug_mass == Approx(7850 * 3.14159 * 100e-6 * 6e-3).epsilon(0.05)); // 15 g, the layout's staircase
+  CHECK(f.plug_velocity == Approx(150));
+  CHECK(f.debris_mass == Approx(model.symmetry.copies() * debris));
+  CHECK(is_plug_loose(model));
+}
+
+TEST_CASE("a crumb of less than a gram is no plug", "[perforation]") {
+  auto model = plate_and_shot(Nose::blunt, Extent::quarter);
+  model.nodes.position[disc(model).nodes.begin][2] += 30e-3; // 8 mg, four times
+  prepare(disc(model), model.nodes);
+  CHECK(find_fragments(model).pieces == 1);
+  CHECK(find_fragments(model).plug_mass < 1e-3);
+  CHECK_FALSE(is_plug_loose(model));
+}
+
+TEST_CASE("the intrusion is the depth of the deepest particle in the projectile", "[perforation]") {
+  const Extent extent = GENERATE(Extent::full, Extent::quarter);
+  auto model = plate_and_shot(Nose::blunt, extent);
+  CHECK(largest_intrusion(model) == 0);
+  auto &p = model.nodes.position;
+  const Index first = disc(model).nodes.begin;
+  p[first] = {2.3e-3, 1.1e-3, 0.7e-3}; // above the flat face
+  CHECK(largest_intrusion(model) == Approx(0.7e-3).epsilon(1e-6));
+  p[first + 1] = {3.1e-3, 2.2e-3, 1.2e-3};
+  CHECK(largest_intrusion(model) == Approx(1.2e-3).epsilon(1e-6));
+  p[first + 2] = {6e-3, 4.5e-3, 40e-3}; // 2.5 mm inside the shank, whose polygon lies within 2 % of the circle
+  CHECK(largest_intrusion(model) == Approx(2.5e-3).margin(0.2e-3));
+  p[first + 3] = {8e-3, 7e-3, 5e-3}; // in the projectile's box but outside: at a radius of 10.6 mm
+  CHECK(largest_intrusion(model) == Approx(2.5e-3).margin(0.2e-3));
+}

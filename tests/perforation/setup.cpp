@@ -1,0 +1,122 @@
+#include "catch.hpp"
+
+#include "ogive/perforation/setup.hpp"
+
+#include <numbers>
+
+using namespace ogive;
+
+namespace {
+
+auto build(const PerforationCase<double> &c) {
+  return make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
+}
+
+PerforationCase<double> coarse_case() {
+  PerforationCase<double> c;
+  c.thickness = 8e-3;
+  c.clamp_radius = 100e-3;
+  c.sph_radius = 18e-3;
+  c.spacing = 1e-3;
+  return c;
+}
+
+template <class M> double mass_of(const M &model, NodeRange range) {
+  double mass = 0;
+  for (Index n = range.begin; n < range.end; ++n) mass += model.nodes.mass[n];
+  return mass * model.symmetry.copies();
+}
+
+} // namespace
+
+TEST_CASE("plate and projectile have their masses", "[perforation]") {
+  const Nose nose = GENERATE(Nose::blunt, Nose::conical, Nose::ogival, Nose::hemispherical);
+  const Lattice lattice = GENERATE(Lattice::cubic, Lattice::ring);
+  const Extent extent = GENERATE(Extent::half, Extent::quarter);
+  auto c = coarse_case();
+  c.nose = nose, c.lattice = lattice, c.extent = extent;
+  const auto model = build(c);
+  const double plate = 7850 * std::numbers::pi * c.clamp_radius * c.clamp_radius * c.thickness;
+  // The rim's edges are polygons, the cubic lattice's a staircase.
+  const double found = whole_mass(disc(model).point_mass, model.symmetry) + whole_mass(rim(model).point_mass, model.symmetry);
+  CHECK(found == Approx(plate).epsilon(0.01));
+  // The tie moves mass from particles to hexes and loses none.
+  CHECK(mass_of(model, disc(model).nodes) + mass_of(model, rim(model).nodes) == Approx(found).epsilon(1e-12));
+  // Liu et al. 2012: 197 g; the conical one's drawing gives 195.1 g.
+  const double shot = whole_mass(projectile(model).point_mass, model.symmetry);
+  CHECK(shot == Approx(0.197).epsilon(nose == Nose::conical ? 0.012 : 0.005));
+  CHECK(shot == Approx(mass(paper_projectile<double>(nose), 7850.0)).epsilon(0.002)); // facets for curved noses
+  CHECK(mass_of(model, projectile(model).nodes) >= shot * (1 - 1e-12));
+  CHECK(mass_of(model, projectile(model).nodes) <= shot * (1.01 + 1e-12)); // raised at the tip by 1 % at most
+}
+
+TEST_CASE("the parts of a shot stand where they belong", "[perforation]") {
+  const Lattice lattice = GENERATE(Lattice::cubic, Lattice::ring);
+  auto c = coarse_case();
+  c.lattice = lattice;
+  const auto model = build(c);
+  const auto &nodes = model.nodes;
+  const auto radius = [&](Index n) { return std::hypot(nodes.position[n][0], nodes.position[n][1]); };
+  for (Index n = disc(model).nodes.begin; n < disc(model).nodes.end; ++n) {
+    REQUIRE(radius(n) < c.sph_radius);
+    REQUIRE(nodes.position[n][2] < 0);
+    REQUIRE(nodes.position[n][2] > -c.thickness);
+  }
+  int clamped = 0;
+  for (Index n = rim(model).nodes.begin; n < rim(model).nodes.end; ++n) {
+    const auto &p = nodes.position[n];
+    REQUIRE(radius(n) > c.sph_radius * (1 - 1e-6));
+    if (nodes.held[n] == held_all) ++clamped;
+    REQUIRE((nodes.held[n] == held_all) == (radius(n) > c.clamp_radius * (1 - 1e-6)));
+    if (nodes.held[n] == held_all) continue;
+    REQUIRE(bool(nodes.held[n] & held_x) == (p[0] == 0));
+    REQUIRE(bool(nodes.held[n] & held_y) == (p[1] == 0));
+  }
+  CHECK(clamped > 0);
+  for (Index n = projectile(model).nodes.begin; n < projectile(model).nodes.end; ++n) {
+    REQUIRE(nodes.position[n][2] >= 0);
+    REQUIRE(nodes.velocity[n] == Vec3<double>(0, 0, -c.initial_velocity));
+  }
+
+  REQUIRE(model.ties.size() == 1);
+  std::vector<bool> tied(nodes.position.size(), false);
+  for (const auto &t : model.ties[0].nodes) {
+    tied[t.slave] = true;
+    REQUIRE(t.slave < disc(model).nodes.end);
+    REQUIRE(radius(t.slave) > c.sph_radius - 1.2 * disc(model).spacing); // on the edge only
+    REQUIRE(nodes.mass[t.slave] == 0);
+  }
+  // And everywhere on the edge: what lies within half a particle distance and a bit (staircases, polygons) of it.
+  for (Index n = disc(model).nodes.begin; n < disc(model).nodes.end; ++n)
+    if (radius(n) > c.sph_radius - 0.6 * disc(model).spacing) REQUIRE(tied[n]);
+  REQUIRE(model.contacts.size() == 1);
+  CHECK(model.contacts[0].slaves.size() == std::size_t(disc(model).nodes.size() + rim(model).nodes.size()));
+  CHECK(model.rigid_parts.empty());
+  c.rigid_projectile = true;
+  CHECK(build(c).rigid_parts.size() == 1);
+}
+
+TEST_CASE("cases that do not fit together are refused with a line that says why", "[perforation]") {
+  const auto refused = [](auto change) {
+    auto c = coarse_case();
+    change(c);
+    try {
+      build(c);
+    } catch (const SetupError &error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  using Case = PerforationCase<double>;
+  CHECK(refused([](Case &) {}) == "accepted");
+  CHECK_THAT(refused([](Case &c) { c.sph_radius = 9e-3; }), Catch::Contains("particle disc (m) = 0.009"));
+  CHECK_THAT(refused([](Case &c) { c.clamp_radius = 17e-3; }), Catch::Contains("clamp radius (m) = 0.017"));
+  CHECK_THAT(refused([](Case &c) { c.initial_velocity = 0; }), Catch::Contains("initial velocity (m/s) = 0"));
+  CHECK_THAT(refused([](Case &c) { c.initial_velocity = -300; }), Catch::Contains("initial velocity (m/s) = -300"));
+  CHECK_THAT(refused([](Case &c) { c.friction = -0.1; }), Catch::Contains("friction = -0.1"));
+  CHECK_THAT(refused([](Case &c) { c.spacing = 0; }), Catch::Contains("particle distance (m) = 0"));
+  CHECK_THAT(refused([](Case &c) { c.spacing = 5e-3; }), Catch::Contains("particle distance (m) = 0.005"));
+  CHECK_THAT(refused([](Case &c) { c.thickness = 1e-3; }), Catch::Contains("particle distance (m) = 0.001"));
+  CHECK_THAT(refused([](Case &c) { c.thickness = -1; }), Catch::Contains("thickness (m) = -1"));
+  CHECK_THAT(refused([](Case &c) { c.sph_radius = std::nan(""); }), Catch::Contains("particle disc (m) = nan"));
+}

@@ -1,0 +1,153 @@
+#include "catch.hpp"
+#include "sim/blocks.hpp"
+
+#include <limits>
+
+using namespace sim_test;
+
+namespace {
+
+constexpr double spacing = 1e-3;
+
+/// A block of particles and a brick of hexes that fly apart.
+auto two_bodies() {
+  Nodes<double> nodes;
+  auto particles = add_sph_body(nodes, lattice(4, 4, 4, spacing), fem_test::steel<double>(), "particles");
+  auto hexes = add_hex_body(nodes, brick_at(3, 3, 3, V::Constant(3e-3), V(0, 0, 6e-3)), fem_test::steel<double>(), "hexes");
+  set_velocity(nodes, hexes.nodes, V(0, 0, 100));
+  return model_of(std::move(nodes), std::move(particles), std::move(hexes));
+}
+
+const auto go_on = [](const auto &, const auto &) { return true; };
+
+} // namespace
+
+TEST_CASE("the observer is called at the start, at intervals and at the end", "[sim]") {
+  auto model = two_bodies();
+  std::vector<double> times;
+  const double dt = stable_time_step(model);
+  const RunResult result = run(model, RunOptions<double>{.end_time = 5.2e-6, .observe_every = 1e-6},
+                               [&](const auto &m, const Energy<double> &ledger) {
+                                 times.push_back(m.time);
+                                 CHECK(total(ledger) == total(energy(m)));
+                                 return true;
+                               });
+  CHECK(result.reason == StopReason::end_time);
+  CHECK_FALSE(result.fault);
+  REQUIRE(times.size() == 7);
+  CHECK(times[0] == 0);
+  for (int k = 1; k <= 5; ++k) {
+    CHECK(times[k] >= k * 1e-6);
+    CHECK(times[k] < k * 1e-6 + dt * 1.001);
+  }
+  CHECK(times[6] == model.time);
+  CHECK(model.time >= 5.2e-6 * (1 - 1e-12));
+  CHECK(model.time < 5.2e-6 + dt * 1.001);
+}
+
+TEST_CASE("the observer is called once for each time", "[sim]") {
+  auto model = two_bodies(); // the end is an interval's end too
+  std::vector<double> times;
+  run(model, RunOptions<double>{.end_time = 3e-6, .observe_every = 1e-6}, [&](const auto &m, const auto &) {
+    times.push_back(m.time);
+    return true;
+  });
+  REQUIRE(times.size() >= 2);
+  for (std::size_t k = 1; k < times.size(); ++k) CHECK(times[k] > times[k - 1]);
+}
+
+TEST_CASE("the observer ends a run by returning false", "[sim]") {
+  for (const int last : {1, 3}) {
+    auto model = two_bodies();
+    int calls = 0;
+    const RunResult result = run(model, RunOptions<double>{.end_time = 9e-6, .observe_every = 1e-6},
+                                 [&](const auto &, const auto &) { return ++calls < last; });
+    CHECK(result.reason == StopReason::observer);
+    CHECK_FALSE(result.fault);
+    CHECK(calls == last);
+    CHECK(model.time < last * 1e-6);
+  }
+}
+
+TEST_CASE("a velocity that is not a number stops the run with the body's name", "[sim]") {
+  for (const bool in_hexes : {true, false}) {
+    auto model = two_bodies();
+    const Index broken = in_hexes ? std::get<1>(model.bodies).nodes.begin + 5 : 9;
+    int calls = 0;
+    double last = -1;
+    const RunResult result = run(model, RunOptions<double>{.end_time = 20e-6, .observe_every = 1e-6},
+                                 [&](const auto &m, const auto &) {
+                                   if (++calls == 3) model.nodes.velocity[broken][1] = std::nan("");
+                                   last = m.time;
+                                   return true;
+                                 });
+    REQUIRE(result.reason == StopReason::fault);
+    REQUIRE(result.fault);
+    CHECK(result.fault->body == (in_hexes ? "hexes" : "particles"));
+    // It has spread for up to 20 steps; the first node of the body that is hit is named.
+    CHECK(result.fault->id >= 0);
+    CHECK(result.fault->id <= (in_hexes ? 5 : 9));
+    CHECK(result.fault->what.find("not a finite number") != std::string::npos);
+    CHECK(result.fault->time_us == Approx(model.time * 1e6));
+    CHECK(last == model.time); // a last look, at the fault
+    CHECK(model.time < 3.5e-6 + 20 * stable_time_step(two_bodies()));
+  }
+}
+
+TEST_CASE("particles that are not numbers do not bring the neighbour search down", "[sim]") {
+  // The other particles fly apart, so that lists are built anew while one position is not a number.
+  auto model = two_bodies();
+  for (Index n = 0; n < std::get<0>(model.bodies).nodes.end; ++n)
+    model.nodes.velocity[n] = 2e5 * model.nodes.position[n];
+  model.nodes.velocity[21] = V::Constant(std::nan(""));
+  const RunResult result = run(model, RunOptions<double>{.end_time = 20e-6}, go_on);
+  REQUIRE(result.fault);
+  CHECK(result.fault->body == "particles");
+}
+
+TEST_CASE("an inverted hex stops the run", "[sim]") {
+  auto model = two_bodies();
+  const Index corner = std::get<1>(model.bodies).nodes.begin; // thrown through its hex within a step or two
+  model.nodes.velocity[corner] = V::Constant(2e4);
+  int calls = 0;
+  const RunResult result = run(model, RunOptions<double>{.end_time = 20e-6, .observe_every = 1, .check_every = 1},
+                               [&](const auto &, const auto &) { return ++calls > 0; });
+  REQUIRE(result.fault);
+  WARN(result.fault->what << " " << result.fault->body << " " << result.fault->id);
+  CHECK(result.fault->body == "hexes");
+  CHECK(result.fault->id == 0);
+  CHECK(result.fault->what == "a hex has no volume left");
+  CHECK(calls == 2);
+}
+
+TEST_CASE("a time step that falls too far stops the run", "[sim]") {
+  auto model = two_bodies();
+  Hex &hexes = std::get<1>(model.bodies);
+  // Squeezed at 300 m/s from both ends: 20 % in 1 us, and the step with it.
+  for (Index n = hexes.nodes.begin; n < hexes.nodes.end; ++n)
+    model.nodes.velocity[n][2] = -2e5 * (model.nodes.position[n][2] - 7.5e-3);
+  const double first = stable_time_step(model);
+  const RunResult result = run(model, RunOptions<double>{.end_time = 20e-6, .smallest_step_fraction = 0.9}, go_on);
+  REQUIRE(result.fault);
+  CHECK(result.fault->what.find("stable time step fell to") == 0);
+  CHECK(stable_time_step(model) < 0.9 * first);
+}
+
+TEST_CASE("energy from nowhere stops the run", "[sim]") {
+  auto model = two_bodies();
+  int calls = 0;
+  const auto push = [&](const auto &, const auto &) {
+    if (++calls == 3)
+      for (V &v : model.nodes.velocity) v *= 1.1;
+    return true;
+  };
+  SECTION("beyond the limit") {
+    const RunResult result = run(model, RunOptions<double>{.end_time = 9e-6, .largest_energy_error = 0.2}, push);
+    REQUIRE(result.fault);
+    CHECK(result.fault->what.find("the energy balance is off by 21") == 0); // 1.1^2
+    CHECK(calls == 4); // and a last look
+  }
+  SECTION("within the limit") {
+    CHECK(run(model, RunOptions<double>{.end_time = 9e-6, .largest_energy_error = 0.22}, push).reason == StopReason::end_time);
+  }
+}

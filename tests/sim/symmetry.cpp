@@ -1,0 +1,59 @@
+#include "catch.hpp"
+#include "sim/small_shot.hpp"
+
+#include "ogive/sim/step.hpp"
+
+#include <map>
+
+using namespace sim_test;
+
+namespace {
+
+constexpr int steps = 300;
+
+/// Largest distance between the nodes of the part and those of the whole that started at the same place, m.
+template <class M>
+double largest_distance(const M &part, const std::vector<Vec3<double>> &part_start, const M &whole,
+                        const std::vector<Vec3<double>> &whole_start) {
+  double largest = 0;
+  for_each_body(part, [&](const auto &body) {
+    for (Index n = body.nodes.begin; n < body.nodes.end; ++n) {
+      Index twin = -1;
+      double nearest = 1e-12;
+      for (Index m = 0; m < whole.nodes.size(); ++m)
+        if (const double d = (part_start[n] - whole_start[m]).norm();
+            d < nearest && body_of_node(whole, m) == body.name)
+          nearest = d, twin = m;
+      REQUIRE(twin >= 0);
+      largest = std::max(largest, (part.nodes.position[n] - whole.nodes.position[twin]).norm());
+    }
+  });
+  return largest;
+}
+
+} // namespace
+
+TEST_CASE("a quarter and half of a shot are the whole shot", "[sim]") {
+  const Nose nose = GENERATE(Nose::blunt, Nose::conical);
+  auto c = small_case(nose, Extent::full);
+  auto whole = small_shot(c);
+  const auto whole_start = whole.nodes.position;
+  const double dt = 0.9 * stable_time_step(whole);
+  for (int i = 0; i < steps; ++i) step(whole, dt);
+  const Energy<double> e = energy(whole);
+
+  for (const Extent extent : {Extent::half, Extent::quarter}) {
+    c.extent = extent;
+    auto part = small_shot(c);
+    const auto part_start = part.nodes.position;
+    for (int i = 0; i < steps; ++i) step(part, dt);
+    const Energy<double> p = energy(part);
+    const double distance = largest_distance(part, part_start, whole, whole_start);
+    const char *names[] = {"full", "half", "quarter"};
+    WARN(name(nose) << " " << names[int(extent)] << ": distance "
+                    << distance << " kinetic " << p.kinetic / e.kinetic - 1 << " plastic " << p.plastic / e.plastic - 1
+                    << " friction " << p.friction << " " << e.friction << " contact " << p.contact << " " << e.contact
+                    << " momentum " << momentum(part)[2] / momentum(whole)[2] - 1);
+    CHECK(distance < 1e-9);
+  }
+}
