@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# plate_12mm.sh [folder]: the four measured shots on 12 mm Weldox 460 E with a blunt nose, as the default case, with the
-# other lattice, a rigid projectile, and the standard form; then the other noses. Shots that the folder holds already are
+# plate_12mm.sh [folder]: the four measured shots on 12 mm Weldox 460 E with a blunt nose, as the default case, with a
+# rigid projectile and with the standard form; the other noses; the four shots with the cubic lattice. Shots that the folder holds already are
 # not run again. Prints a table in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -24,10 +24,10 @@ one() { # name text [option]...
 made_by plate_12mm.sh
 table
 four ring 'ring lattice'
-four cubic 'cubic lattice' --lattice cubic
 four rigid 'rigid projectile' --projectile rigid
 four standard 'standard form' --form standard
 one conical 'conical nose' --nose conical --velocity-mps 355.6
 one ogival 'ogival nose' --nose ogival --velocity-mps 355.6
 one hemispherical 'hemispherical nose' --nose hemispherical --velocity-mps 355.6
 one aluminium 'AA5083-H116, 15 mm, conical nose' --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 250
+four cubic 'cubic lattice' --lattice cubic

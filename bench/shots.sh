@@ -1,6 +1,7 @@
-# Sourced by the other scripts here: runs shots once and reads their summaries. Needs `folder`.
+# Sourced by the other scripts here: runs shots once and reads their summaries. Needs `folder`. PERFORATE names another
+# program than that of build/release.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$root/scripts/build.sh" perforate
+[ -n "${PERFORATE:-}" ] || "$root/scripts/build.sh" perforate
 mkdir -p "$folder"
 
 # value name key: a value of the shot's summary
@@ -11,7 +12,7 @@ shoot() {
   local name=$1
   shift
   [ -e "$folder/$name/summary.json" ] && return
-  "$root/scripts/with_display.sh" "$root/build/release/apps/perforate" --quiet --no-vtk --out "$folder/$name" "$@" \
+  "$root/scripts/with_display.sh" "${PERFORATE:-$root/build/release/apps/perforate}" --quiet --no-vtk --out "$folder/$name" "$@" \
     > "$folder/$name.log" 2>&1 || echo "$name ended with status $?: see $folder/$name.log" >&2
 }
 

@@ -1,11 +1,12 @@
 // A plate perforated in a dozen lines: 12 mm of Weldox 460 E, a blunt projectile at 303.5 m/s, particles 1.2 mm apart.
 // Run: 01_perforate. It prints time, projectile velocity and total energy every 5 us; the energy stays what it was.
-#include <ogive/ogive.hpp>
 #include <cstdio>
+#include <ogive/ogive.hpp>
 
 int main() {
   using namespace ogive;
-  const PerforationCase<double> shot{.thickness = 12e-3, .spacing = 1.2e-3, .nose = Nose::blunt, .initial_velocity = 303.5};
+  const PerforationCase<double> shot{
+      .thickness = 12e-3, .spacing = 1.2e-3, .nose = Nose::blunt, .initial_velocity = 303.5};
   auto model = make_perforation(shot, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
   const RunOptions<double> until{.end_time = 100e-6, .observe_every = 5e-6};
   const RunResult result = run(model, until, [](const auto &now, const Energy<double> &energy) {

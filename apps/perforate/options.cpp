@@ -207,9 +207,7 @@ double default_friction(Nose nose, PlateMaterial material) {
   return material == PlateMaterial::weldox_460e ? 0.08 : 0.02;
 }
 
-double default_end_us(Nose nose) {
-  return nose == Nose::blunt ? 500 : 1500;
-}
+double default_end_us(Nose nose) { return nose == Nose::blunt ? 500 : 1500; }
 
 std::filesystem::path default_out(const Options &o) {
   return std::filesystem::path("vtk_out") /

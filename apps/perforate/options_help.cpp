@@ -77,7 +77,8 @@ std::string help() {
           "  perforate\n"
           "  perforate --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 214\n"
           "  perforate --config vtk_out/my_case/case.toml --velocity-mps 250 --out vtk_out/my_case_250\n"
-          "\nExit status: 0 done; 2 wrong input, nothing was run or overwritten.\n";
+          "\nExit status: 0 done; 2 wrong input, nothing was run or overwritten; 3 stopped by a fault in the\n"
+          "run or by a file that could not be written, after a last frame; 1 anything else.\n";
   return text;
 }
 

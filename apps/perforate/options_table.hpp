@@ -113,15 +113,20 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{projectile, "nose", "20 mm in diameter, 197 g", "paper, Fig. 11"}, o.nose);
   f(Entry{projectile, "projectile", "deformable tool steel, or rigid", "paper"}, o.projectile);
   f(Entry{projectile, "velocity_mps", "initial velocity", "tests", {1, 3000, "m/s"}}, o.velocity_mps);
-  f(Entry{projectile, "friction", "Coulomb friction between plate and projectile",
-          "0 blunt; else 0.08 on weldox_460e, 0.02 on aa5083_h116: paper", {0, 2, ""}},
+  f(Entry{projectile,
+          "friction",
+          "Coulomb friction between plate and projectile",
+          "0 blunt; else 0.08 on weldox_460e, 0.02 on aa5083_h116: paper",
+          {0, 2, ""}},
     o.friction);
 
   const char *const numerics = "Discretisation";
   f(Entry{numerics, "spacing_mm", "particle distance, at most half the thickness", "paper", {0.05, 5, "mm"}},
     o.spacing_mm);
-  f(Entry{numerics, "sph_radius_mm",
-          "radius of the particles' disc, from 10 mm + 2 spacings to less than the clamp radius", "paper",
+  f(Entry{numerics,
+          "sph_radius_mm",
+          "radius of the particles' disc, from 10 mm + 2 spacings to less than the clamp radius",
+          "paper",
           {10.1, 2000, "mm"}},
     o.sph_radius_mm);
   f(Entry{numerics, "extent", "how much of the round model is computed", "paper"}, o.extent);
@@ -133,7 +138,10 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{numerics, "pressure", "pressure law", "ours"}, o.pressure);
 
   const char *const run = "Run and output";
-  f(Entry{run, "end_us", "time at which the run ends", "500 blunt, else 1500; most runs end by themselves: ours",
+  f(Entry{run,
+          "end_us",
+          "time at which the run ends",
+          "500 blunt, else 1500; most runs end by themselves: ours",
           {1, 100000, "us"}},
     o.end_us);
   f(Entry{run, "out", "folder for the results", "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps"}, o.out);

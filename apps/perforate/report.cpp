@@ -25,9 +25,7 @@ bool perforated(const Shot &shot) {
 
 double residual_mps(const Shot &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
 
-Shot shoot(const Options &options) {
-  return options.model == FlowModel::mjc ? shoot_mjc(options) : shoot_jc(options);
-}
+Shot shoot(const Options &options) { return options.model == FlowModel::mjc ? shoot_mjc(options) : shoot_jc(options); }
 
 namespace {
 
@@ -45,9 +43,12 @@ double ns_per_particle_step(const Shot &s) {
 const char *ending(const Shot &s) {
   if (s.fault) return "fault";
   switch (s.flight.state) {
-  case ogive::FlightState::perforated: return s.flight.sharp ? "the tail left the plate" : "the velocity is steady";
-  case ogive::FlightState::stopped: return "the projectile rebounds";
-  default: return "end of time";
+  case ogive::FlightState::perforated:
+    return s.flight.sharp ? "the tail left the plate" : "the velocity is steady";
+  case ogive::FlightState::stopped:
+    return "the projectile rebounds";
+  default:
+    return "end of time";
   }
 }
 
@@ -61,7 +62,8 @@ std::string case_title(const Options &o) {
 
 std::optional<experiment::Residual> find_test(const Options &o) {
   const std::string material = o.material == PlateMaterial::weldox_460e ? "Weldox 460 E" : "AA5083-H116";
-  return experiment::find_residual(PERFORATE_DATA_FOLDER, material, std::string(ogive::name(o.nose)), o.thickness_mm, o.velocity_mps);
+  return experiment::find_residual(PERFORATE_DATA_FOLDER, material, std::string(ogive::name(o.nose)), o.thickness_mm,
+                                   o.velocity_mps);
 }
 
 void start_results(const Options &o) {

@@ -95,11 +95,10 @@ Shot shoot_with(const Options &options, ogive::Metal<double, Law> plate) {
     if (shot.flight.samples.size() == 1) first_energy = total(e), first_momentum = momentum;
     const double error = std::abs(total(e) / first_energy - 1);
     if (!(error <= shot.energy_error)) shot.energy_error = error;
-    shot.momentum_error =
-        std::max(shot.momentum_error, std::abs(momentum - first_momentum - impulse) / first_momentum);
-    ogive::add_row(history, {time_us, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic, e.elastic,
-                             e.plastic, e.hourglass, e.viscous, e.contact, e.friction, e.external, total(e), momentum,
-                             impulse});
+    shot.momentum_error = std::max(shot.momentum_error, std::abs(momentum - first_momentum - impulse) / first_momentum);
+    ogive::add_row(history,
+                   {time_us, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic, e.elastic, e.plastic,
+                    e.hourglass, e.viscous, e.contact, e.friction, e.external, total(e), momentum, impulse});
     if (time_us >= next_frame_us) {
       write_frame();
       shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(now) * 1e3);

@@ -44,15 +44,15 @@ struct Shot {
   ogive::SymmetryPlanes symmetry;
 };
 
-/// True if the projectile came through: perforated, or at the end of the time it flies on with a plug loose (sharp: with
-/// its shoulder beyond the rear face).
+/// True if the projectile came through: perforated, or at the end of the time it flies on with a plug loose (sharp:
+/// with its shoulder beyond the rear face).
 bool perforated(const Shot &shot);
 
 /// Residual velocity in m/s, 0 unless perforated.
 double residual_mps(const Shot &shot);
 
-/// Runs the case and writes history and VTK files into `options.out`. Throws SetupError for a case that cannot be built,
-/// WriteError for a file that cannot be written.
+/// Runs the case and writes history and VTK files into `options.out`. Throws SetupError for a case that cannot be
+/// built, WriteError for a file that cannot be written.
 Shot shoot(const Options &options);
 
 /// The parts of shoot(), one for each flow model so that they compile side by side.

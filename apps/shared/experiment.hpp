@@ -63,8 +63,7 @@ inline std::optional<Residual> find_residual(const std::filesystem::path &folder
   for (const auto &row : read_rows(folder / "experiment_limits.csv"))
     if (same(row)) {
       const double limit = std::stod(row[4]), mass_kg = 0.197;
-      const double plug_kg =
-          nose == "blunt" ? 7850 * std::numbers::pi * 0.01 * 0.01 * thickness_mm * 1e-3 : 0.0;
+      const double plug_kg = nose == "blunt" ? 7850 * std::numbers::pi * 0.01 * 0.01 * thickness_mm * 1e-3 : 0.0;
       const double a = row[5].empty() ? mass_kg / (mass_kg + plug_kg) : std::stod(row[5]);
       const double p = row[6].empty() ? 2.0 : std::stod(row[6]);
       const double residual =

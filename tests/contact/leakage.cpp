@@ -73,15 +73,14 @@ Passage drive_through(const HexMesh<double> &mesh, const std::vector<V> &cloud, 
 
 TEST_CASE("no slave passes through a flat face, an edge or a cone at speed", "[contact]") {
   // A slave of mass m that meets the spring k = 0.1 m/dt^2 at the speed v enters it by v sqrt(m/k) = 3.2 v dt = 0.1 mm,
-  // a fifth of its offset: its centre stays outside. Friction and the turn of the direction at edges change no more than
-  // the other half of the offset.
+  // a fifth of its offset: its centre stays outside. Friction and the turn of the direction at edges change no more
+  // than the other half of the offset.
   const double entry = speed * dt / std::sqrt(0.1);
   REQUIRE(entry < 0.2 * offset);
   std::vector<V> cloud; // a disc of three layers below z = 0, not aligned with any mesh
   for (int k = 0; k < 3; ++k)
     for (int j = -12; j <= 12; ++j)
-      for (int i = -12; i <= 12; ++i)
-        cloud.push_back(spacing * V(i + 0.31 + 0.2 * (k % 2), j + 0.17, -k - 0.55));
+      for (int i = -12; i <= 12; ++i) cloud.push_back(spacing * V(i + 0.31 + 0.2 * (k % 2), j + 0.17, -k - 0.55));
   SECTION("flat face and the rim around it") {
     const auto mesh = projectile_mesh(paper_projectile<double>(Nose::blunt), spacing, Extent::full);
     const Passage p = drive_through(mesh, cloud, 6e-3);

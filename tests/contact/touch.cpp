@@ -14,13 +14,16 @@ constexpr double edge = 1e-3, offset = 0.5e-3;
 struct Touching {
   Nodes<double> nodes;
   NodeToSurface<double> contact;
-  explicit Touching(const V &p, SymmetryPlanes planes = {}, const HexMesh<double> &mesh = brick<double>(2, 2, 2, V::Constant(2 * edge))) {
+  explicit Touching(const V &p, SymmetryPlanes planes = {},
+                    const HexMesh<double> &mesh = brick<double>(2, 2, 2, V::Constant(2 * edge))) {
     const Surface cube = add_surface(nodes, mesh);
     const NodeRange slave = add_free(nodes, {p}, 1e-3);
     contact = contact_of(nodes, slave, offset, facets_off_planes(cube.facets, nodes.position, planes, 0.0), {}, planes);
     add_contact_force(contact, nodes, 0.0, 1e-7);
   }
-  Touch<double> touch() const { return contact.active.empty() ? Touch<double>{} : find_touch(contact, nodes, Index(0)); }
+  Touch<double> touch() const {
+    return contact.active.empty() ? Touch<double>{} : find_touch(contact, nodes, Index(0));
+  }
 };
 
 void check_touch(const V &p, const V &direction, double depth) {
@@ -81,8 +84,8 @@ TEST_CASE("a slave in a mirror plane gets no force across it from a surface in t
     return V(t.nodes.force[t.contact.slaves[0]]);
   };
   for (const double steepness : {0.1, 0.5})
-    for (const V &force : {force_at(-steepness, 2.1), force_at(-steepness, 2.0), force_at(steepness, 2.0),
-                           force_at(steepness, 1.99)}) {
+    for (const V &force :
+         {force_at(-steepness, 2.1), force_at(-steepness, 2.0), force_at(steepness, 2.0), force_at(steepness, 1.99)}) {
       CHECK(force[0] == 0);
       CHECK(force[2] > 0);
     }
@@ -109,7 +112,8 @@ TEST_CASE("wrong contacts are refused", "[contact]") {
   const Surface cube = add_surface(nodes, brick<double>(1, 1, 1, V::Constant(edge)));
   const NodeRange slave = add_free(nodes, {V(0, 0, 2 * edge)}, 1.0);
   const auto make = [&](std::vector<Index> slaves, std::vector<double> offsets, std::vector<Facet> facets, double mu) {
-    return make_contact(nodes, std::move(slaves), std::move(offsets), std::move(facets), "c", ContactOptions<double>{.friction = mu});
+    return make_contact(nodes, std::move(slaves), std::move(offsets), std::move(facets), "c",
+                        ContactOptions<double>{.friction = mu});
   };
   CHECK_NOTHROW(make({slave.begin}, {0.1}, cube.facets, 0.1));
   CHECK_THROWS_WITH(make({slave.begin}, {0.1}, cube.facets, -0.1), "c friction = -0.1: must not be negative");

@@ -56,7 +56,12 @@ TEST_CASE("a fold keeps its order even if the operation does not commute", "[cor
     return Span{a.first, b.last, a.ordered && b.ordered && a.last + 1 == b.first};
   };
   for (const Span &s : with_threads([&] {
-         return ordered_fold(Index(9999), Span{}, [](Index i) { return Span{i, i, true}; }, join);
+         return ordered_fold(
+             Index(9999), Span{},
+             [](Index i) {
+               return Span{i, i, true};
+             },
+             join);
        })) {
     CHECK(s.ordered);
     CHECK(s.first == 0);

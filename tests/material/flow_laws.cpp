@@ -22,9 +22,12 @@ template <class Law> void check_derivatives(const Law &law) {
   const double e = 0.2, r = 1e4, t = 600;
   const auto at = flow_stress(law, e, r, t);
   // Central differences are good to the square of their step, about 1e-8 relative here.
-  CHECK(at.by_plastic_strain == Approx(slope([&](double x) { return flow_stress(law, x, r, t).value; }, e, 1e-5)).epsilon(1e-6).margin(1));
-  CHECK(at.by_rate == Approx(slope([&](double x) { return flow_stress(law, e, x, t).value; }, r, 1.0)).epsilon(1e-6).margin(1e-6));
-  CHECK(at.by_temperature == Approx(slope([&](double x) { return flow_stress(law, e, r, x).value; }, t, 0.01)).epsilon(1e-6).margin(1e-3));
+  CHECK(at.by_plastic_strain ==
+        Approx(slope([&](double x) { return flow_stress(law, x, r, t).value; }, e, 1e-5)).epsilon(1e-6).margin(1));
+  CHECK(at.by_rate ==
+        Approx(slope([&](double x) { return flow_stress(law, e, x, t).value; }, r, 1.0)).epsilon(1e-6).margin(1e-6));
+  CHECK(at.by_temperature ==
+        Approx(slope([&](double x) { return flow_stress(law, e, r, x).value; }, t, 0.01)).epsilon(1e-6).margin(1e-3));
 }
 
 } // namespace
@@ -70,8 +73,8 @@ TEST_CASE("bilinear hardening under uniaxial strain follows the closed form", "[
   auto m = library::arne_tool_steel<double>();
   m.specific_heat = 0;
   auto p = initial_point(m);
-  // Laterally held compression: s_axial = -2/3 q. Elastic up to q = yield; beyond, 3G (e_dev - ep) = yield + H ep with the
-  // equivalent strain 2/3 of the axial one. Compression makes the sign; logarithmic strain is exact for the rate.
+  // Laterally held compression: s_axial = -2/3 q. Elastic up to q = yield; beyond, 3G (e_dev - ep) = yield + H ep with
+  // the equivalent strain 2/3 of the axial one. Compression makes the sign; logarithmic strain is exact for the rate.
   const double strain = 0.04, steps = 4000, G = shear_modulus(m.elasticity);
   for (int i = 0; i < steps; ++i) {
     const double stretch = 1 - strain / steps; // of this step, so that the midstep rate integrates to its logarithm
@@ -100,7 +103,8 @@ TEMPLATE_TEST_CASE("simple shear at a constant rate follows the flow law, temper
   Mat3<double> L = Mat3<double>::Zero();
   L(0, 1) = rate * std::sqrt(3.0);
   auto p = initial_point(metal);
-  // Closed form: dT = beta sigma(ep, rate, T) dep / (rho cp), integrated with a fine midpoint rule along the plastic strain.
+  // Closed form: dT = beta sigma(ep, rate, T) dep / (rho cp), integrated with a fine midpoint rule along the plastic
+  // strain.
   for (int i = 0; i < 30000; ++i) p = updated(metal, p, L, dt);
   double T = 293;
   const int n = 20000;
@@ -121,7 +125,8 @@ TEST_CASE("a rotating stressed point keeps its principal stresses", "[material]"
   auto p = initial_point(m);
   p = updated(m, p, uniaxial_rate(1e3, -300), 1e-6);
   const auto start = p;
-  // Positions at the end of a step: x_end = R x_start, so L = (I - R^-1)/dt; 0.1 rad a step, a hundred times that of a run.
+  // Positions at the end of a step: x_end = R x_start, so L = (I - R^-1)/dt; 0.1 rad a step, a hundred times that of a
+  // run.
   const double angle = 0.1, dt = 1e-7;
   Mat3<double> back;
   back << std::cos(angle), std::sin(angle), 0, -std::sin(angle), std::cos(angle), 0, 0, 0, 1;
@@ -132,7 +137,8 @@ TEST_CASE("a rotating stressed point keeps its principal stresses", "[material]"
   CHECK(p.density == Approx(start.density).epsilon(1e-12));
   // The step rotation is exact: after 1000 steps the axis stands at 100 rad.
   const double c = std::cos(100.0), s = std::sin(100.0);
-  CHECK(p.deviator.xy == Approx(c * s * (start.deviator.xx - start.deviator.yy)).margin(1e-6 * von_mises(start.deviator)));
+  CHECK(p.deviator.xy ==
+        Approx(c * s * (start.deviator.xx - start.deviator.yy)).margin(1e-6 * von_mises(start.deviator)));
 }
 
 TEST_CASE("radial return leaves elastic states alone and ends on the yield surface", "[material]") {
@@ -142,7 +148,8 @@ TEST_CASE("radial return leaves elastic states alone and ends on the yield surfa
   for (const double q : {600e6, 2e9, 50e9, 500e9}) {
     const auto r = radial_return(m, p, q, 1e-8);
     const double t = p.temperature + 0.9 * r.flow_stress * r.increment / (m.density * m.specific_heat);
-    const double sigma = flow_stress(m.flow, p.plastic_strain + r.increment, std::max(r.increment / 1e-8, 1.0), t).value;
+    const double sigma =
+        flow_stress(m.flow, p.plastic_strain + r.increment, std::max(r.increment / 1e-8, 1.0), t).value;
     CHECK(r.flow_stress == Approx(sigma).epsilon(1e-5).margin(1e-7 * q));
   }
 }

@@ -53,19 +53,23 @@ TEST_CASE("a blunt shot is perforated once its velocity is steady and the plug l
 
 TEST_CASE("a drift above a thousandth of the initial velocity is not steady", "[perforation]") {
   auto flight = flight_of(Nose::blunt); // 0.1 m/s in a us: 1 m/s in the interval of 10 us, against 0.3 m/s
-  fly(flight, 0, 300, [](int t) { return 200 - 0.1 * t; }, loose);
+  fly(
+      flight, 0, 300, [](int t) { return 200 - 0.1 * t; }, loose);
   CHECK(flight.state == FlightState::in_progress);
   auto slower = flight_of(Nose::blunt); // 0.02 m/s in a us: 0.2 m/s
-  fly(slower, 0, 300, [](int t) { return 200 - 0.02 * t; }, loose);
+  fly(
+      slower, 0, 300, [](int t) { return 200 - 0.02 * t; }, loose);
   CHECK(slower.state == FlightState::perforated);
 }
 
 TEST_CASE("a projectile that flies back has been stopped", "[perforation]") {
   for (const Nose nose : {Nose::blunt, Nose::conical}) {
     auto flight = flight_of(nose);
-    fly(flight, 0, 101, [](int t) { return 100.0 - t; }, loose); // down to rest
+    fly(
+        flight, 0, 101, [](int t) { return 100.0 - t; }, loose); // down to rest
     CHECK(flight.state == FlightState::in_progress);
-    fly(flight, 101, 200, [](int t) { return -0.1 * (t - 101); }, loose);
+    fly(
+        flight, 101, 200, [](int t) { return -0.1 * (t - 101); }, loose);
     CHECK(flight.state == FlightState::stopped);
     CHECK(flight.samples.back().velocity < -0.6); // 0.2 % of 300 m/s
     CHECK(flight.samples.back().velocity > -0.75);
@@ -75,7 +79,8 @@ TEST_CASE("a projectile that flies back has been stopped", "[perforation]") {
 
 TEST_CASE("a blunt projectile at rest is neither perforated nor stopped", "[perforation]") {
   auto flight = flight_of(Nose::blunt);
-  fly(flight, 0, 400, [](int) { return 1.0; }, loose); // below 0.5 % of 300 m/s
+  fly(
+      flight, 0, 400, [](int) { return 1.0; }, loose); // below 0.5 % of 300 m/s
   CHECK(flight.state == FlightState::in_progress);
 }
 
@@ -105,7 +110,8 @@ TEST_CASE("a flight is read off the model", "[perforation]") {
   c.nose = Nose::conical;
   auto model = make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
   const auto shape = paper_projectile<double>(Nose::conical);
-  for (Index n = projectile(model).nodes.begin; n < projectile(model).nodes.end; ++n) model.nodes.position[n][2] -= 50e-3;
+  for (Index n = projectile(model).nodes.begin; n < projectile(model).nodes.end; ++n)
+    model.nodes.position[n][2] -= 50e-3;
   const auto s = observe_flight(model, shape);
   CHECK(s.velocity == Approx(303.5));
   CHECK(s.nose == Approx(50e-3));

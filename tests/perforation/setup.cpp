@@ -38,7 +38,8 @@ TEST_CASE("plate and projectile have their masses", "[perforation]") {
   const auto model = build(c);
   const double plate = 7850 * std::numbers::pi * c.clamp_radius * c.clamp_radius * c.thickness;
   // The rim's edges are polygons, the cubic lattice's a staircase.
-  const double found = whole_mass(disc(model).point_mass, model.symmetry) + whole_mass(rim(model).point_mass, model.symmetry);
+  const double found =
+      whole_mass(disc(model).point_mass, model.symmetry) + whole_mass(rim(model).point_mass, model.symmetry);
   CHECK(found == Approx(plate).epsilon(0.01));
   // The tie moves mass from particles to hexes and loses none.
   CHECK(mass_of(model, disc(model).nodes) + mass_of(model, rim(model).nodes) == Approx(found).epsilon(1e-12));

@@ -16,19 +16,17 @@ TEST_CASE("a shot keeps energy and gives its momentum to the supports", "[sim]")
   CHECK(e == Approx(expected).epsilon(0.011)); // mass scaling adds at most 1 %
   const Vec3<double> p = momentum(model);
   double worst = 0;
-  for (int i = 0; i < 400; ++i) {
-    if (i % 10 == 0) worst = std::max(worst, std::abs(total(energy(model)) / e - 1));
+  while (model.time < 25e-6) {
+    if (model.steps % 10 == 0) worst = std::max(worst, std::abs(total(energy(model)) / e - 1));
     step(model, stable_time_step(model));
   }
   const Energy<double> now = energy(model);
   const Vec3<double> given = model.symmetry.copies() * model.support_impulse;
-  WARN(name(nose) << (rigid ? " rigid" : "") << " time " << model.time << " worst " << worst << " plastic " << now.plastic / e << " friction "
-                  << now.friction / e << " support " << given.transpose() << " p " << p.transpose() << " err "
-                  << (momentum(model)[2] - p[2] - given[2]) / p[2]);
-  CHECK(now.plastic > 0.05 * e); // the plate has yielded
-  CHECK((now.friction > 0) == true);
+  CHECK(now.plastic > 0.02 * e); // the plate has yielded, near the tip at least
+  CHECK(now.friction > 0);
+  // Leapfrog and trapezoidal work sums: what is left is of second order in the step. 0.02 % was measured.
   CHECK(worst < 0.005);
-  // Forces add up to zero: round-off of 400 steps. The plane's share of the impulse is left out by momentum().
+  // Forces add up to zero: round-off of about a thousand steps.
   CHECK(std::abs(given[2]) > 1e-6 * std::abs(p[2]));
   CHECK(std::abs(momentum(model)[2] - p[2] - given[2]) < 1e-10 * std::abs(p[2]));
 }

@@ -50,8 +50,7 @@ inline V momentum_of(const Nodes<double> &nodes, NodeRange range) {
 
 inline V spin_of(const Nodes<double> &nodes) {
   V spin = V::Zero();
-  for (Index n = 0; n < nodes.size(); ++n)
-    spin += nodes.mass[n] * cross<double>(nodes.position[n], nodes.velocity[n]);
+  for (Index n = 0; n < nodes.size(); ++n) spin += nodes.mass[n] * cross<double>(nodes.position[n], nodes.velocity[n]);
   return spin;
 }
 

@@ -9,8 +9,10 @@ constexpr double spacing = 1e-3;
 
 auto block_and_brick() {
   Nodes<double> nodes;
-  auto particles = add_sph_body(nodes, lattice(5, 4, 4, spacing, V(-2.5e-3, -2e-3, 0)), fem_test::steel<double>(), "particles");
-  auto hexes = add_hex_body(nodes, brick_at(4, 3, 3, V(4e-3, 3e-3, 3e-3), V(-2e-3, -1.5e-3, 6e-3)), fem_test::steel<double>(), "hexes");
+  auto particles =
+      add_sph_body(nodes, lattice(5, 4, 4, spacing, V(-2.5e-3, -2e-3, 0)), fem_test::steel<double>(), "particles");
+  auto hexes = add_hex_body(nodes, brick_at(4, 3, 3, V(4e-3, 3e-3, 3e-3), V(-2e-3, -1.5e-3, 6e-3)),
+                            fem_test::steel<double>(), "hexes");
   return model_of(std::move(nodes), std::move(particles), std::move(hexes));
 }
 
@@ -34,8 +36,7 @@ TEST_CASE("bodies that spin by a quarter turn bear no stress but the centrifugal
   auto model = block_and_brick();
   const double omega = 1e4;
   const V axis = V(0, 0, omega);
-  for (Index n = 0; n < model.nodes.size(); ++n)
-    model.nodes.velocity[n] = cross<double>(axis, model.nodes.position[n]);
+  for (Index n = 0; n < model.nodes.size(); ++n) model.nodes.velocity[n] = cross<double>(axis, model.nodes.position[n]);
   const V spin = spin_of(model.nodes);
   const double before = total(energy(model)), dt = stable_time_step(model), quarter = std::acos(0.0) / omega;
   const V corner = model.nodes.position[0];

@@ -49,11 +49,13 @@ TEST_CASE("a quarter and half of a shot are the whole shot", "[sim]") {
     for (int i = 0; i < steps; ++i) step(part, dt);
     const Energy<double> p = energy(part);
     const double distance = largest_distance(part, part_start, whole, whole_start);
-    const char *names[] = {"full", "half", "quarter"};
-    WARN(name(nose) << " " << names[int(extent)] << ": distance "
-                    << distance << " kinetic " << p.kinetic / e.kinetic - 1 << " plastic " << p.plastic / e.plastic - 1
-                    << " friction " << p.friction << " " << e.friction << " contact " << p.contact << " " << e.contact
-                    << " momentum " << momentum(part)[2] / momentum(whole)[2] - 1);
-    CHECK(distance < 1e-9);
+    // Blunt: the same sums in another order, round-off. Conical: particles on the diagonals are balanced on the nose's
+    // edges, from where round-off tips them to either side; they are a few of hundreds.
+    const bool exact = nose == Nose::blunt;
+    CHECK(distance < (exact ? 1e-12 : c.spacing / 15));
+    CHECK(p.kinetic == Approx(e.kinetic).epsilon(exact ? 1e-12 : 1e-4));
+    CHECK(p.plastic == Approx(e.plastic).epsilon(exact ? 1e-11 : 5e-3));
+    CHECK(p.friction == Approx(e.friction).epsilon(exact ? 1e-9 : 2e-2));
+    CHECK(momentum(part)[2] == Approx(momentum(whole)[2]).epsilon(exact ? 1e-12 : 1e-4));
   }
 }

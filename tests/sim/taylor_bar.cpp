@@ -6,9 +6,9 @@
 
 using namespace sim_test;
 
-// The copper rod of the code comparisons (e.g. Camacho & Ortiz 1997): 32.4 mm long, 6.4 mm thick, 227 m/s against a rigid
-// wall without friction, bilinear hardening. Published codes end, at 80 us, between 21.2 and 21.6 mm long with a foot
-// radius of 6.9 to 7.3 mm.
+// The copper rod of the code comparisons (e.g. Camacho & Ortiz 1997): 32.4 mm long, 6.4 mm thick, 227 m/s against a
+// rigid wall without friction, bilinear hardening. Published codes end, at 80 us, between 21.2 and 21.6 mm long with a
+// foot radius of 6.9 to 7.3 mm.
 
 namespace {
 
@@ -29,13 +29,15 @@ struct Rod {
 };
 
 template <class M> Rod fly_against_wall(M &model, NodeRange rod) {
-  set_velocity(model.nodes, rod, V(0, 0, -speed));
+  for (Index n = rod.begin; n < rod.end; ++n) // what touches the wall is at rest
+    model.nodes.velocity[n][2] = model.nodes.held[n] & held_z ? 0 : -speed;
   const double e = total(energy(model));
   Rod end{};
-  const auto result = run(model, RunOptions<double>{.end_time = 80e-6, .observe_every = 1e-6}, [&](const auto &, const auto &ledger) {
-    end.error = std::max(end.error, std::abs(total(ledger) / e - 1));
-    return true;
-  });
+  const auto result =
+      run(model, RunOptions<double>{.end_time = 80e-6, .observe_every = 1e-6}, [&](const auto &, const auto &ledger) {
+        end.error = std::max(end.error, std::abs(total(ledger) / e - 1));
+        return true;
+      });
   REQUIRE(result.reason == StopReason::end_time);
   double low = 1, high = -1;
   for (Index n = rod.begin; n < rod.end; ++n) {
@@ -49,18 +51,15 @@ template <class M> Rod fly_against_wall(M &model, NodeRange rod) {
     const int slice = std::min(7, static_cast<int>((p[2] - low) / end.length * 8));
     end.radii[slice] = std::max(end.radii[slice], std::hypot(p[0], p[1]));
   }
-  end.foot = end.radii[0];
+  // The foot is what stands on the wall; a few particles that were squeezed off its edge fly on above it.
+  for (Index n = rod.begin; n < rod.end; ++n)
+    if (const V &p = model.nodes.position[n]; p[2] < low + 1e-3) end.foot = std::max(end.foot, std::hypot(p[0], p[1]));
   // It has come to rest: what is left is elastic vibration and a slow rebound.
   CHECK(energy(model).kinetic < 0.02 * e);
   return end;
 }
 
 void check_rod(const Rod &rod, double margin) {
-  WARN("length " << rod.length << " foot " << rod.foot << " error " << rod.error << " radii " << [&] {
-    std::string s;
-    for (double r : rod.radii) s += std::to_string(r * 1e3) + " ";
-    return s;
-  }());
   CHECK(rod.length == Approx(21.4e-3).epsilon(margin));
   CHECK(rod.foot == Approx(7.1e-3).epsilon(2 * margin));
   // Work of a uniform compression by ln(L0/L) = 0.53 takes all of the energy, 400 MPa e + 50 MPa e^2 = rho v^2/2. A rod
@@ -73,16 +72,21 @@ void check_rod(const Rod &rod, double margin) {
 
 } // namespace
 
-TEST_CASE("a Taylor bar of hexes mushrooms as published", "[sim]") {
+TEMPLATE_TEST_CASE("a Taylor bar of hexes mushrooms as published", "[sim]", OnePoint, SelectiveReduced) {
+  // Hourglass control is elastic and does not yield. The default, 0.1, is made for small plastic strains: it holds this
+  // foot, whose strain is 1 to 3, at 4.6 mm. With 0.002 its work is 1 % of the energy.
+  HexOptions<double> options;
+  options.hourglass_stiffness = 0.002;
   Nodes<double> nodes;
   const ProjectileShape<double> shape{Nose::blunt, 2 * radius, rod_length, 0, 0};
-  auto rod = add_hex_body(nodes, projectile_mesh(shape, 0.8e-3, Extent::quarter), copper(), "rod");
+  auto rod = add_hex_body<TestType>(nodes, projectile_mesh(shape, 0.8e-3, Extent::quarter), copper(), "rod", options);
   const SymmetryPlanes planes = symmetry_planes(Extent::quarter);
   hold_on_planes(nodes, rod.nodes, planes, 1e-9);
   for (Index n = rod.nodes.begin; n < rod.nodes.end; ++n)
     if (nodes.position[n][2] < 1e-9) nodes.held[n] |= held_z;
   const NodeRange range = rod.nodes;
-  Model<double, Hex> model{std::move(nodes), std::tuple<Hex>(std::move(rod)), planes};
+  using Body = HexBody<double, Steel, TestType>;
+  Model<double, Body> model{std::move(nodes), std::tuple<Body>(std::move(rod)), planes};
   check_rod(fly_against_wall(model, range), 0.04);
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("neighbour lists are rebuilt before a pair can be missed", "[sph]") {
   const double support = body.neighbours.support, skin = body.neighbours.reach - support;
   CHECK_FALSE(are_stale(body.neighbours, x, {}, support));
   for (auto &p : nodes.position) p += Vec3<double>(10, -3, 1);
-  CHECK_FALSE(are_stale(body.neighbours, x, {}, support)); // moved as one
+  CHECK_FALSE(are_stale(body.neighbours, x, {}, support));      // moved as one
   CHECK(are_stale(body.neighbours, x, {true, false}, support)); // but not relative to their mirror images
   nodes.position[3][2] += 0.9 * skin;
   CHECK_FALSE(are_stale(body.neighbours, x, {}, support));
@@ -133,7 +133,8 @@ TEST_CASE("with a variable smoothing length the corrected gradient stays exact",
 
 TEST_CASE("the standard form is second order inside and poor at free surfaces", "[sph]") {
   Nodes<double> nodes;
-  auto body = add_sph_body<CubicSpline, StandardForm>(nodes, block(9, 9, 9, 0.0), library::weldox_460e_mjc<double>(), "block");
+  auto body =
+      add_sph_body<CubicSpline, StandardForm>(nodes, block(9, 9, 9, 0.0), library::weldox_460e_mjc<double>(), "block");
   const Mat3<double> L = some_gradient();
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
@@ -141,7 +142,8 @@ TEST_CASE("the standard form is second order inside and poor at free surfaces", 
   const auto at = [&](double x, double y, double z) {
     Index best = 0;
     for (Index i = 0; i < nodes.size(); ++i)
-      if ((nodes.position[i] - Vec3<double>(x, y, z)).norm() < (nodes.position[best] - Vec3<double>(x, y, z)).norm()) best = i;
+      if ((nodes.position[i] - Vec3<double>(x, y, z)).norm() < (nodes.position[best] - Vec3<double>(x, y, z)).norm())
+        best = i;
     return best;
   };
   // Lattice sums of the cubic spline at h = 1.2 spacings are within 2 % of the integral inside, and lose about half of
@@ -155,7 +157,8 @@ TEMPLATE_TEST_CASE("internal forces are the transpose of the gradient and conser
   Nodes<double> nodes;
   SphOptions<double> options;
   options.linear_viscosity = options.quadratic_viscosity = 0;
-  auto body = add_sph_body<CubicSpline, TestType>(nodes, block(6, 5, 5, 0.1), library::weldox_460e_mjc<double>(), "block", {}, options);
+  auto body = add_sph_body<CubicSpline, TestType>(nodes, block(6, 5, 5, 0.1), library::weldox_460e_mjc<double>(),
+                                                  "block", {}, options);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> u(-1, 1);
   for (auto &v : nodes.velocity) v = {u(random), u(random), u(random)};
@@ -242,6 +245,7 @@ TEST_CASE("discs have the plate's volume, whole layers and respect the mirror pl
   }
   const auto odd = cubic_disc(DiscShape<double>{24e-3, 10e-3, 0.6e-3}, Extent::quarter);
   CHECK(odd.spacing == Approx(10e-3 / 17)); // 16.67 layers: the nearest whole number is 17
-  CHECK_THROWS_WITH(cubic_disc(DiscShape<double>{24e-3, 1e-3, 0.6e-3}, Extent::quarter), Catch::Contains("at most half"));
+  CHECK_THROWS_WITH(cubic_disc(DiscShape<double>{24e-3, 1e-3, 0.6e-3}, Extent::quarter),
+                    Catch::Contains("at most half"));
   CHECK_THROWS_AS(cubic_disc(DiscShape<double>{24e-3, 12e-3, std::nan("")}, Extent::quarter), SetupError);
 }

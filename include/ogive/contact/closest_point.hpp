@@ -38,10 +38,10 @@ template <class T> Vec3<T> closest_on_triangle(const Vec3<T> &p, const Vec3<T> &
 
 /// Point of a facet closest to another point.
 template <class T> struct FacetPoint {
-  std::array<T, 4> weights{};             ///< of the facet's corners, sum 1
-  Vec3<T> position = Vec3<T>::Zero();     ///< m
-  Vec3<T> normal = Vec3<T>::Zero();       ///< outward unit normal of the facet there
-  T distance_squared{};                   ///< m2
+  std::array<T, 4> weights{};         ///< of the facet's corners, sum 1
+  Vec3<T> position = Vec3<T>::Zero(); ///< m
+  Vec3<T> normal = Vec3<T>::Zero();   ///< outward unit normal of the facet there
+  T distance_squared{};               ///< m2
 };
 
 /// Closest point of a quadrilateral, taken as four triangles around its middle so that no diagonal is preferred.
@@ -58,7 +58,8 @@ template <class T> FacetPoint<T> closest_on_facet(const Vec3<T> &p, const std::a
     const Vec3<T> normal = area / std::max(area.norm(), T(1e-30));
     const T alignment = std::abs(normal.dot(p - x));
     const T tie = T(1e-6) * (best.distance_squared + d2);
-    if (k == 0 || d2 < best.distance_squared - tie || (d2 <= best.distance_squared + tie && alignment > best_alignment)) {
+    if (k == 0 || d2 < best.distance_squared - tie ||
+        (d2 <= best.distance_squared + tie && alignment > best_alignment)) {
       best.weights = {T(0.25) * bary[2], T(0.25) * bary[2], T(0.25) * bary[2], T(0.25) * bary[2]};
       best.weights[k] += bary[0];
       best.weights[l] += bary[1];

@@ -17,8 +17,8 @@ template <class T> struct Touch {
   T depth{};                           ///< m, positive where the slave's sphere enters the surface
 };
 
-/// Closest point of the candidate facets to slave `a` of the active list. At an edge or corner the direction is that from
-/// the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
+/// Closest point of the candidate facets to slave `a` of the active list. At an edge or corner the direction is that
+/// from the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
 template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
   const Index slave = contact.active[a];
   const Vec3<T> p = nodes.position[contact.slaves[slave]];
@@ -81,8 +81,8 @@ ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &op
   return c;
 }
 
-/// Mass that the penalty stiffness of slave `s` is made with, kg: the smaller of its own and the facet's at the point of
-/// contact, so that light facet nodes stay stable.
+/// Mass that the penalty stiffness of slave `s` is made with, kg: the smaller of its own and the facet's at the point
+/// of contact, so that light facet nodes stay stable.
 template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
   if (contact.master_mass.empty()) return contact.slave_mass[s];
   T facet_mass{};
@@ -90,9 +90,8 @@ template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, cons
   return std::min(contact.slave_mass[s], facet_mass);
 }
 
-/// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come is
-/// `next`) to the ledger
-/// (trapezoidal rule between the forces before and now).
+/// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come
+/// is `next`) to the ledger (trapezoidal rule between the forces before and now).
 template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt, T next) {
   if (is_search_due(contact, nodes)) search(contact, nodes);
   if (contact.reference_time_step == T(0)) contact.reference_time_step = next;
@@ -111,8 +110,8 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     ContactForce<T> now;
     if (const Touch<T> touch = find_touch(contact, nodes, a); touch.facet >= 0) {
       const Vec3<T> sliding = relative_velocity(nodes, node, contact.facets[touch.facet], touch.weights);
-      now = contact_force(touch, contact.options, sliding, penalty_mass(contact, s, touch),
-                          contact.reference_time_step);
+      now =
+          contact_force(touch, contact.options, sliding, penalty_mass(contact, s, touch), contact.reference_time_step);
     }
     for (const ContactForce<T> &c : {before, now}) {
       if (c.facet < 0) continue;

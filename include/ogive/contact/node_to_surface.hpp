@@ -12,47 +12,47 @@ namespace ogive {
 
 /// Penalty and friction of a contact.
 template <class T> struct ContactOptions {
-  T friction = T(0);        ///< Coulomb's coefficient
-  T stiffness = T(0.1);     ///< penalty stiffness over m/dt^2
-  T sticking = T(0.3);      ///< largest friction force over m |v_t|/dt
+  T friction = T(0);          ///< Coulomb's coefficient
+  T stiffness = T(0.1);       ///< penalty stiffness over m/dt^2
+  T sticking = T(0.3);        ///< largest friction force over m |v_t|/dt
   bool rigid_masters = false; ///< the masses of the facets' nodes do not limit the stiffness
 };
 
 /// What acts on one slave node.
 template <class T> struct ContactForce {
-  Index facet = -1;                     ///< the facet touched last; -1: none yet
-  std::array<T, 4> weights{};           ///< of the facet's nodes
-  Vec3<T> normal = Vec3<T>::Zero();     ///< normal force on the slave, N
-  Vec3<T> friction = Vec3<T>::Zero();   ///< friction force on the slave, N
+  Index facet = -1;                   ///< the facet touched last; -1: none yet
+  std::array<T, 4> weights{};         ///< of the facet's nodes
+  Vec3<T> normal = Vec3<T>::Zero();   ///< normal force on the slave, N
+  Vec3<T> friction = Vec3<T>::Zero(); ///< friction force on the slave, N
 };
 
-/// Nodes against facets: slave nodes (particles as spheres of radius `offset`) may not enter the surface that the master
-/// facets make up. Penalty with Coulomb friction; the reaction goes to the facet's nodes.
+/// Nodes against facets: slave nodes (particles as spheres of radius `offset`) may not enter the surface that the
+/// master facets make up. Penalty with Coulomb friction; the reaction goes to the facet's nodes.
 template <class T> struct NodeToSurface {
   std::string name;
   ContactOptions<T> options{};
   SymmetryPlanes symmetry{};
-  std::vector<Index> slaves;    ///< node numbers
-  std::vector<T> offset;        ///< m, one for each slave
-  std::vector<T> slave_mass;    ///< kg
-  std::vector<Facet> facets;    ///< masters, outward
+  std::vector<Index> slaves;                 ///< node numbers
+  std::vector<T> offset;                     ///< m, one for each slave
+  std::vector<T> slave_mass;                 ///< kg
+  std::vector<Facet> facets;                 ///< masters, outward
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
-  T reference_time_step{};      ///< s, of the stiffness; set by the first step
-  std::vector<ContactForce<T>> forces;  ///< one for each slave
-  std::vector<T> normal_energy;         ///< J, work taken by the penalty springs, one for each slave
-  std::vector<T> friction_energy;       ///< J, one for each slave
+  T reference_time_step{};                   ///< s, of the stiffness; set by the first step
+  std::vector<ContactForce<T>> forces;       ///< one for each slave
+  std::vector<T> normal_energy;              ///< J, work taken by the penalty springs, one for each slave
+  std::vector<T> friction_energy;            ///< J, one for each slave
 
-  T search_margin{};                    ///< m, how far slave and facet may approach before the next search
-  std::vector<Vec3<T>> searched_at;     ///< positions of all nodes at the last search, m
-  std::vector<Index> active;            ///< slaves that have candidates
-  std::vector<Index> candidate_begin;   ///< for each active slave, and the end
-  std::vector<Index> candidates;        ///< facets
-  std::vector<Vec3<T>> facet_middle;    ///< m, of this step
-  std::vector<T> facet_radius;          ///< m, around the middle, of this step
+  T search_margin{};                  ///< m, how far slave and facet may approach before the next search
+  std::vector<Vec3<T>> searched_at;   ///< positions of all nodes at the last search, m
+  std::vector<Index> active;          ///< slaves that have candidates
+  std::vector<Index> candidate_begin; ///< for each active slave, and the end
+  std::vector<Index> candidates;      ///< facets
+  std::vector<Vec3<T>> facet_middle;  ///< m, of this step
+  std::vector<T> facet_radius;        ///< m, around the middle, of this step
 };
 
-/// Makes a contact of `slaves` (with an offset each, m) against `facets`. Throws SetupError for a slave without mass (make
-/// contacts before ties), for a negative friction, and if a slave is a node of a facet.
+/// Makes a contact of `slaves` (with an offset each, m) against `facets`. Throws SetupError for a slave without mass
+/// (make contacts before ties), for a negative friction, and if a slave is a node of a facet.
 template <class T>
 NodeToSurface<T> make_contact(const Nodes<T> &nodes, std::vector<Index> slaves, std::vector<T> offset,
                               std::vector<Facet> facets, std::string name, ContactOptions<T> options = {},

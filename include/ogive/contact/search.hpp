@@ -42,7 +42,9 @@ template <class T> bool is_search_due(const NodeToSurface<T> &contact, const Nod
           const Vec3<T> u = nodes.position[node_of(i)] - contact.searched_at[node_of(i)];
           return Box<T>{u, u};
         },
-        [](const Box<T> &a, const Box<T> &b) { return Box<T>{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; });
+        [](const Box<T> &a, const Box<T> &b) {
+          return Box<T>{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+        });
   };
   Box<T> moved = moved_box(static_cast<Index>(contact.slaves.size()), [&](Index i) { return contact.slaves[i]; });
   const Box<T> masters = moved_box(static_cast<Index>(contact.facets.size()) * 4,
@@ -98,9 +100,8 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
             if (is_inside(box, Vec3<T>(grid.x[k], grid.y[k], grid.z[k]))) pairs.push_back({near[grid.order[k]], f});
         }
     }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) {
-      return a.slave != b.slave ? a.slave < b.slave : a.facet < b.facet;
-    });
+    std::sort(pairs.begin(), pairs.end(),
+              [](const Pair &a, const Pair &b) { return a.slave != b.slave ? a.slave < b.slave : a.facet < b.facet; });
     for (const Pair &p : pairs) {
       if (contact.active.empty() || contact.active.back() != p.slave) {
         contact.active.push_back(p.slave);

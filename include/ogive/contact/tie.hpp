@@ -39,9 +39,9 @@ template <class T> struct Tie {
   std::vector<TieShare> shares; ///< grouped by master, so that each master gathers its own
 };
 
-/// Ties every node of `slaves` that lies within `distance` (m) of one of the `facets` to the hex behind the nearest one,
-/// and moves its mass to the hex's nodes. `hexes` are the corners of all hexes that the facets name. Throws SetupError if
-/// no node is near, or if a master would lose more than half of its mass.
+/// Ties every node of `slaves` that lies within `distance` (m) of one of the `facets` to the hex behind the nearest
+/// one, and moves its mass to the hex's nodes. `hexes` are the corners of all hexes that the facets name. Throws
+/// SetupError if no node is near, or if a master would lose more than half of its mass.
 template <class T>
 Tie<T> make_tie(Nodes<T> &nodes, NodeRange slaves, const std::vector<Facet> &facets,
                 const std::vector<std::array<Index, 8>> &hexes, T distance) {
@@ -95,8 +95,8 @@ Tie<T> make_tie(Nodes<T> &nodes, NodeRange slaves, const std::vector<Facet> &fac
   for (const TieMaster &m : tie.masters) {
     T gained{};
     for (Index s = m.first; s < m.last; ++s)
-      gained += tie.nodes[tie.shares[s].tied].weights[tie.shares[s].corner] *
-                nodes.mass[tie.nodes[tie.shares[s].tied].slave];
+      gained +=
+          tie.nodes[tie.shares[s].tied].weights[tie.shares[s].corner] * nodes.mass[tie.nodes[tie.shares[s].tied].slave];
     require(gained > T(-0.5) * nodes.mass[m.node], "tie distance (m)", distance,
             "too large for the hexes behind the facets: a master node would lose more than half of its mass");
     nodes.mass[m.node] += gained;

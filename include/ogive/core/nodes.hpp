@@ -21,11 +21,11 @@ struct NodeRange {
 /// Everything that moves: finite element nodes and SPH particles alike.
 /// Velocities belong to the half step before the time of the positions (central differences).
 template <class T> struct Nodes {
-  std::vector<Vec3<T>> position;   ///< m
-  std::vector<Vec3<T>> velocity;   ///< m/s
-  std::vector<Vec3<T>> force;      ///< N
-  std::vector<T> mass;             ///< kg
-  std::vector<std::uint8_t> held;  ///< bits of Held: symmetry planes and supports
+  std::vector<Vec3<T>> position;  ///< m
+  std::vector<Vec3<T>> velocity;  ///< m/s
+  std::vector<Vec3<T>> force;     ///< N
+  std::vector<T> mass;            ///< kg
+  std::vector<std::uint8_t> held; ///< bits of Held: symmetry planes and supports
 
   Index size() const { return static_cast<Index>(position.size()); }
 };

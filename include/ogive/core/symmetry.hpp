@@ -18,9 +18,7 @@ struct SymmetryPlanes {
 };
 
 /// The mirror planes of an extent.
-inline SymmetryPlanes symmetry_planes(Extent extent) {
-  return {extent == Extent::quarter, extent != Extent::full};
-}
+inline SymmetryPlanes symmetry_planes(Extent extent) { return {extent == Extent::quarter, extent != Extent::full}; }
 
 /// Holds the nodes that lie in a mirror plane in the direction normal to it. `tolerance` in m.
 template <class T> void hold_on_planes(Nodes<T> &nodes, NodeRange range, SymmetryPlanes planes, T tolerance) {

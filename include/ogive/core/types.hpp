@@ -91,5 +91,4 @@ template <class T> T determinant(const Mat3<T> &a) {
          a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
 }
 
-
 } // namespace ogive

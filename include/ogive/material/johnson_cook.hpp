@@ -19,7 +19,8 @@ template <class T> struct ModifiedJohnsonCook {
 };
 
 /// Liu et al. 2012, Eq. 2. The rate must be positive (see Metal::rate_floor).
-template <class T> FlowStress<T> flow_stress(const ModifiedJohnsonCook<T> &law, T plastic_strain, T rate, T temperature) {
+template <class T>
+FlowStress<T> flow_stress(const ModifiedJohnsonCook<T> &law, T plastic_strain, T rate, T temperature) {
   const auto hardening = power_hardening(law.A, law.B, law.a, plastic_strain);
   const T rate_factor = std::pow(rate, law.C);
   const auto thermal = thermal_factor(temperature, law.room, law.melting, law.b);

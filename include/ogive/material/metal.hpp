@@ -20,17 +20,15 @@ template <class T> struct Elasticity {
 template <class T> T shear_modulus(const Elasticity<T> &e) { return e.young / (T(2) * (T(1) + e.poisson)); }
 template <class T> T bulk_modulus(const Elasticity<T> &e) { return e.young / (T(3) * (T(1) - T(2) * e.poisson)); }
 /// P-wave modulus lambda + 2 mu, Pa.
-template <class T> T p_wave_modulus(const Elasticity<T> &e) {
-  return bulk_modulus(e) + T(4) / T(3) * shear_modulus(e);
-}
+template <class T> T p_wave_modulus(const Elasticity<T> &e) { return bulk_modulus(e) + T(4) / T(3) * shear_modulus(e); }
 
 /// An elastic-plastic metal: elasticity, equation of state, flow law, adiabatic heat, damage.
 template <class T, class Law>
-  requires FlowLaw<Law, T>
+requires FlowLaw<Law, T>
 struct Metal {
   std::string name;
-  std::string source;         ///< where the constants come from
-  T density{};                ///< kg/m3
+  std::string source; ///< where the constants come from
+  T density{};        ///< kg/m3
   Elasticity<T> elasticity{};
   EquationOfState<T> eos{};
   Law flow{};

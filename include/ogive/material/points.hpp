@@ -58,8 +58,8 @@ template <class T> void fill(MaterialPoints<T> &points, Index n, const MaterialP
 
 /// Copy of point i.
 template <class T> MaterialPoint<T> load(const MaterialPoints<T> &p, Index i) {
-  return {p.deviator[i],            p.pressure[i],    p.density[i], p.plastic_strain[i],
-          p.plastic_strain_rate[i], p.temperature[i], p.damage[i],  p.internal_energy[i]};
+  return {p.deviator[i],    p.pressure[i], p.density[i],        p.plastic_strain[i], p.plastic_strain_rate[i],
+          p.temperature[i], p.damage[i],   p.internal_energy[i]};
 }
 
 /// Writes point i.

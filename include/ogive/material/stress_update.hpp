@@ -12,7 +12,8 @@ template <class T> Mat3<T> midstep_gradient(const Mat3<T> &L, T dt) {
   return L * inverse(shift);
 }
 
-/// Rotation of a step from the spin W = (L - L^T)/2 (Hughes & Winget 1980): the Jaumann rate, objective for finite steps.
+/// Rotation of a step from the spin W = (L - L^T)/2 (Hughes & Winget 1980): the Jaumann rate, objective for finite
+/// steps.
 template <class T> Mat3<T> spin_rotation(const Mat3<T> &L, T dt) {
   const T f = T(0.25) * dt;
   const Vec3<T> a(f * (L(2, 1) - L(1, 2)), f * (L(0, 2) - L(2, 0)), f * (L(1, 0) - L(0, 1)));
@@ -65,9 +66,8 @@ MaterialPoint<T> updated(const Metal<T, Law> &metal, const MaterialPoint<T> &old
 
   if (plastic.increment > T(0) && is_active(metal.failure)) {
     const T rate = std::max(now.plastic_strain_rate, metal.rate_floor);
-    const T homologous = std::clamp((now.temperature - metal.room_temperature) /
-                                        (metal.melting_temperature - metal.room_temperature),
-                                    T(0), T(1));
+    const T homologous = std::clamp(
+        (now.temperature - metal.room_temperature) / (metal.melting_temperature - metal.room_temperature), T(0), T(1));
     const T triaxiality = plastic.flow_stress > T(0) ? -now.pressure / plastic.flow_stress : T(0);
     now.damage += plastic.increment / failure_strain(metal.failure, triaxiality, rate, homologous);
   }

@@ -14,14 +14,14 @@ enum class Lattice {
 /// A projectile that strikes a clamped round plate along the plate's axis. The plate lies between z = 0 (front) and
 /// z = -thickness, the projectile flies towards -z. SI units.
 template <class T> struct PerforationCase {
-  T thickness = T(12e-3);         ///< of the plate, m
-  T clamp_radius = T(250e-3);     ///< of the plate, m
-  T sph_radius = T(24e-3);        ///< radius of the disc of particles, m
-  T spacing = T(0.6e-3);          ///< particle distance asked for, m
+  T thickness = T(12e-3);          ///< of the plate, m
+  T clamp_radius = T(250e-3);      ///< of the plate, m
+  T sph_radius = T(24e-3);         ///< radius of the disc of particles, m
+  T spacing = T(0.6e-3);           ///< particle distance asked for, m
   Lattice lattice = Lattice::ring; ///< cubic ones break up along their rows under tension
   Nose nose = Nose::blunt;
-  T initial_velocity = T(303.5);  ///< m/s
-  T friction = T(0);              ///< Coulomb, plate on projectile
+  T initial_velocity = T(303.5); ///< m/s
+  T friction = T(0);             ///< Coulomb, plate on projectile
   bool rigid_projectile = false;
   Extent extent = Extent::quarter;
 };

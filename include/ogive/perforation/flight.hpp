@@ -25,9 +25,9 @@ enum class FlightState { in_progress, perforated, stopped };
 
 /// The projectile's flight so far and what has been concluded from it.
 template <class T> struct Flight {
-  T plate_thickness{};            ///< m
-  T initial_velocity{};           ///< m/s
-  bool sharp = false;             ///< the nose has a length
+  T plate_thickness{};  ///< m
+  T initial_velocity{}; ///< m/s
+  bool sharp = false;   ///< the nose has a length
   std::vector<FlightSample<T>> samples;
   FlightState state = FlightState::in_progress;
   std::optional<T> velocity_at_shoulder; ///< sharp noses: when the shoulder left the rear face, m/s
@@ -50,8 +50,10 @@ template <class M, class T> FlightSample<T> observe_flight(const M &model, const
   FlightSample<T> s;
   s.time = model.time;
   s.velocity = -mean_velocity(nodes, body.nodes)[2];
-  const T lowest = parallel_min(body.nodes.size(), T(1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
-  const T highest = parallel_max(body.nodes.size(), T(-1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
+  const T lowest =
+      parallel_min(body.nodes.size(), T(1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
+  const T highest =
+      parallel_max(body.nodes.size(), T(-1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
   s.nose = -lowest;
   s.tail = -highest;
   s.shoulder = s.tail + shape.shank_length;
@@ -76,8 +78,8 @@ template <class T> bool is_steady(const std::vector<FlightSample<T>> &samples, T
 
 /// Records a sample and concludes. Blunt: perforated once the velocity is steady (0.1 % of the initial velocity) and
 /// `is_plug_loose()` says so; before that a plug that still hangs on the plate may come back to the nose. Sharp:
-/// perforated once the tail has left the rear face. Stopped once the projectile moves backwards by more than 0.2 % of the
-/// initial velocity.
+/// perforated once the tail has left the rear face. Stopped once the projectile moves backwards by more than 0.2 % of
+/// the initial velocity.
 template <class T, class IsPlugLoose>
 void record(Flight<T> &flight, const FlightSample<T> &sample, IsPlugLoose &&is_plug_loose) {
   flight.samples.push_back(sample);

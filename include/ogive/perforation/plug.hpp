@@ -9,10 +9,10 @@ namespace ogive {
 
 /// What the plate's particles have broken into.
 template <class T> struct Fragments {
-  T plug_mass{};       ///< kg, largest piece that is not connected to the rim; whole model
-  T plug_velocity{};   ///< m/s in the direction of flight
-  T debris_mass{};     ///< kg, all smaller pieces
-  Index pieces = 0;    ///< number of loose pieces, of the computed part
+  T plug_mass{};     ///< kg, largest piece that is not connected to the rim; whole model
+  T plug_velocity{}; ///< m/s in the direction of flight
+  T debris_mass{};   ///< kg, all smaller pieces
+  Index pieces = 0;  ///< number of loose pieces, of the computed part
 };
 
 /// Number of the piece that each particle belongs to: the smallest particle index of the piece. Two particles are
@@ -39,8 +39,8 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
   return piece;
 }
 
-/// Plug and debris: pieces of particles that no chain of neighbours nearer than `ratio` particle distances connects to the
-/// rim. In a quarter model a piece is taken with its mirror images.
+/// Plug and debris: pieces of particles that no chain of neighbours nearer than `ratio` particle distances connects to
+/// the rim. In a quarter model a piece is taken with its mirror images.
 template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   const auto &body = disc(model);
   const auto &nodes = model.nodes;

@@ -22,15 +22,14 @@ namespace ogive {
 template <class T> struct PerforationOptions {
   SphOptions<T> sph{};
   HexOptions<T> hex{};
-  T rim_size_ratio = T(2.5);            ///< hex size at the disc's edge over the particle distance
-  T deformable_courant = T(0.4);        ///< particles' Courant number with a deformable projectile
-  T largest_added_mass = T(0.01);       ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
+  T rim_size_ratio = T(2.5);      ///< hex size at the disc's edge over the particle distance
+  T deformable_courant = T(0.4);  ///< particles' Courant number with a deformable projectile
+  T largest_added_mass = T(0.01); ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
 };
 
 /// The bodies of a perforation model: disc of particles, rim of hexes, projectile of hexes.
 template <class T, class Law, class Kernel, class Form, class Rule>
-using PerforationModel =
-    Model<T, SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>;
+using PerforationModel = Model<T, SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>;
 
 template <class M> auto &disc(M &model) { return std::get<0>(model.bodies); }
 template <class M> auto &rim(M &model) { return std::get<1>(model.bodies); }

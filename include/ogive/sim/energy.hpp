@@ -12,12 +12,12 @@ namespace ogive {
 template <class T> struct Energy {
   T kinetic{};
   T elastic{};
-  T plastic{};   ///< work of the stresses that is not elastic
+  T plastic{}; ///< work of the stresses that is not elastic
   T hourglass{};
-  T viscous{};   ///< artificial and bulk viscosity
-  T contact{};   ///< in penalty springs
+  T viscous{}; ///< artificial and bulk viscosity
+  T contact{}; ///< in penalty springs
   T friction{};
-  T external{};  ///< taken by supports; they do not move
+  T external{}; ///< taken by supports; they do not move
 };
 
 /// Sum of all parts, J: constant in time.
@@ -68,9 +68,9 @@ template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &
 /// Momentum of the whole model, kg m/s; components normal to mirror planes cancel.
 template <class T, class... Bodies> Vec3<T> momentum(const Model<T, Bodies...> &model) {
   const Nodes<T> &nodes = model.nodes;
-  Vec3<T> p = T(model.symmetry.copies()) *
-              ordered_sum(nodes.size(), Vec3<T>(Vec3<T>::Zero()),
-                          [&](Index n) -> Vec3<T> { return nodes.mass[n] * nodes.velocity[n]; });
+  Vec3<T> p = T(model.symmetry.copies()) * ordered_sum(nodes.size(), Vec3<T>(Vec3<T>::Zero()), [&](Index n) -> Vec3<T> {
+                return nodes.mass[n] * nodes.velocity[n];
+              });
   if (model.symmetry.x) p[0] = T(0);
   if (model.symmetry.y) p[1] = T(0);
   return p;

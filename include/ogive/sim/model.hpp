@@ -27,15 +27,14 @@ template <class T, class... Bodies> struct Model {
   std::vector<Tie<T>> ties{};
   std::vector<RigidPart> rigid_parts{};
 
-  T time = T(0);           ///< s, of the positions
+  T time = T(0); ///< s, of the positions
   std::int64_t steps = 0;
-  T last_step = T(0);      ///< s, interval before the present time
-  T last_kick = T(0);      ///< s, interval over which the last forces changed the velocities
+  T last_step = T(0);                        ///< s, interval before the present time
+  T last_kick = T(0);                        ///< s, interval over which the last forces changed the velocities
   Vec3<T> support_impulse = Vec3<T>::Zero(); ///< N s, given by held nodes to the computed part of the model
 };
 
-template <class T, class... Bodies>
-Model(Nodes<T>, std::tuple<Bodies...>, SymmetryPlanes) -> Model<T, Bodies...>;
+template <class T, class... Bodies> Model(Nodes<T>, std::tuple<Bodies...>, SymmetryPlanes) -> Model<T, Bodies...>;
 
 /// Calls `f(body)` for each body.
 template <class M, class F> void for_each_body(M &&model, F &&f) {

@@ -45,8 +45,9 @@ template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...>
   return dt;
 }
 
-/// Steps the model until `options.end_time` is reached. `observer(model, ledger)` (model const) is called at the start, every `observe_every` and at
-/// the end, after a fault too; if it returns false the run stops. Prints nothing and throws nothing of its own.
+/// Steps the model until `options.end_time` is reached. `observer(model, ledger)` (model const) is called at the start,
+/// every `observe_every` and at the end, after a fault too; if it returns false the run stops. Prints nothing and
+/// throws nothing of its own.
 template <class T, class... Bodies, class Observer>
 RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer &&observer) {
   RunResult result;

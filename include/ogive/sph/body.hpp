@@ -58,8 +58,8 @@ template <class T> struct ParticleLayout {
   std::vector<T> volumes;
 };
 
-/// Adds the particles of `layout` as nodes of mass density * volume. Throws SetupError if there are none, or if spacing,
-/// volumes or the metal's constants are not positive.
+/// Adds the particles of `layout` as nodes of mass density * volume. Throws SetupError if there are none, or if
+/// spacing, volumes or the metal's constants are not positive.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class T, class Law>
 SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout<T> &layout, const Metal<T, Law> &metal,
                                            std::string name, SymmetryPlanes symmetry = {}, SphOptions<T> options = {}) {
@@ -91,7 +91,8 @@ template <class Body> auto reference_smoothing_length(const Body &body) {
   return body.options.smoothing_ratio * body.spacing;
 }
 
-/// Stable time step, s: courant * spacing / sound speed; a variable smoothing length shortens it with its smallest value.
+/// Stable time step, s: courant * spacing / sound speed; a variable smoothing length shortens it with its smallest
+/// value.
 template <class T, class Law, class K, class F>
 T stable_time_step(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
   T shortest = T(1);
@@ -102,8 +103,7 @@ T stable_time_step(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
 }
 
 /// Work of the stresses since the start, J.
-template <class T, class Law, class K, class F>
-T internal_energy(const SphBody<T, Law, K, F> &body) {
+template <class T, class Law, class K, class F> T internal_energy(const SphBody<T, Law, K, F> &body) {
   return ordered_sum(body.points.size(), T(0),
                      [&](Index i) { return body.point_mass[i] * body.points.internal_energy[i]; });
 }

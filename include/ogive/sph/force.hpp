@@ -17,14 +17,16 @@ template <class T> struct PairForces {
   T viscous_power{}; ///< W, half of each pair's
 };
 
-/// rho_i rho_j Pi_ij of Monaghan & Gingold 1983, Pa: positive for approaching pairs, else zero. `approach` = v_ij . x_ij.
+/// rho_i rho_j Pi_ij of Monaghan & Gingold 1983, Pa: positive for approaching pairs, else zero. `approach` = v_ij .
+/// x_ij.
 template <class T>
 T viscous_pressure(const ArtificialViscosity<T> &a, T approach, T r_squared, T h, T density_i, T density_j) {
   const T mu = h * std::min(approach, T(0)) / (r_squared + T(0.01) * h * h);
   return T(2) * density_i * density_j / (density_i + density_j) * mu * (a.quadratic * mu - a.linear * a.sound_speed);
 }
 
-/// f_i = V_i sum_j V_j (G_i + G_j - rho_i rho_j Pi_ij I) grad W_ij, the transpose of the velocity gradient; G = sigma B.
+/// f_i = V_i sum_j V_j (G_i + G_j - rho_i rho_j Pi_ij I) grad W_ij, the transpose of the velocity gradient; G = sigma
+/// B.
 template <class Kernel, bool variable, class T>
 PairForces<T> pair_forces(const PairData<T> &d, Index i, std::span<const Index> neighbours, T h,
                           const ArtificialViscosity<T> &viscosity) {

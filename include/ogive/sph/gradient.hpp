@@ -26,10 +26,10 @@ template <class T, class Law, class K, class F> T smoothing_length(const SphBody
 /// Brings neighbour lists and pair data up to date with the nodes.
 template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, F> &body, const Nodes<T> &nodes) {
   const Index n = body.points.size();
-  const std::span<const Vec3<T>> x(nodes.position.data() + body.nodes.begin, n), v(nodes.velocity.data() + body.nodes.begin, n);
+  const std::span<const Vec3<T>> x(nodes.position.data() + body.nodes.begin, n),
+      v(nodes.velocity.data() + body.nodes.begin, n);
   T h = reference_smoothing_length(body);
-  if (body.options.variable_smoothing)
-    h = parallel_max(n, h, [&](Index i) { return smoothing_length(body, i); });
+  if (body.options.variable_smoothing) h = parallel_max(n, h, [&](Index i) { return smoothing_length(body, i); });
   const T support = T(kernel_support) * h;
   if (are_stale(body.neighbours, x, body.symmetry, support)) {
     build_neighbours(body.neighbours, x, body.symmetry, support, body.options.skin_ratio * body.spacing);
@@ -94,8 +94,8 @@ template <class T> bool eigenvalues_above(const Mat3<T> &m, T bound) {
 
 /// B = M^-1 where neighbours surround the particle: all eigenvalues of M above 0.15 and their mean below 1.5; else the
 /// identity (lone particles, strings, sheets). The highest frequency of a particle grows with the square root of B's
-/// largest eigenvalue, so that the bound keeps the time step stable. On a lattice the smallest eigenvalue is 1 inside and
-/// 0.24 at a corner, so that all free surfaces are corrected.
+/// largest eigenvalue, so that the bound keeps the time step stable. On a lattice the smallest eigenvalue is 1 inside
+/// and 0.24 at a corner, so that all free surfaces are corrected.
 template <class T> Mat3<T> correction_matrix(const Mat3<T> &moment) {
   const bool surrounded = eigenvalues_above(moment, T(0.15)) && moment.trace() < T(4.5);
   return surrounded ? inverse(moment) : Mat3<T>(Mat3<T>::Identity());

@@ -7,8 +7,8 @@
 
 namespace ogive {
 
-/// A smoothing kernel in three dimensions with support 2h: W(r) = norm/h^3 w(r/h). It gives w(u) and (dw/du)/u; both are
-/// zero for u >= 2.
+/// A smoothing kernel in three dimensions with support 2h: W(r) = norm/h^3 w(r/h). It gives w(u) and (dw/du)/u; both
+/// are zero for u >= 2.
 template <class K>
 concept SmoothingKernel = requires(double u) {
   { K::norm } -> std::convertible_to<double>;

@@ -63,9 +63,9 @@ template <class T> ParticleLayout<T> cubic_disc(const DiscShape<T> &disc, Extent
   return layout;
 }
 
-/// Concentric rings, each with a whole number of particles of nearly equal distance; volumes follow from the ring's area.
-/// Every second layer has one ring more and one particle more in each quarter of a ring, so that particles form neither
-/// columns nor cylinders along which the plate would part too easily.
+/// Concentric rings, each with a whole number of particles of nearly equal distance; volumes follow from the ring's
+/// area. Every second layer has one ring more and one particle more in each quarter of a ring, so that particles form
+/// neither columns nor cylinders along which the plate would part too easily.
 template <class T> ParticleLayout<T> ring_disc(const DiscShape<T> &disc, Extent extent) {
   check(disc);
   const Index layers = layer_count(disc.thickness, disc.spacing);
@@ -79,7 +79,8 @@ template <class T> ParticleLayout<T> ring_disc(const DiscShape<T> &disc, Extent 
     const T width = disc.radius / T(rings);
     for (Index r = 0; r < rings; ++r) {
       const T radius = (T(r) + T(0.5)) * width;
-      const Index in_quarter = std::max(Index(1), static_cast<Index>(std::lround(T(0.5) * pi * radius / layout.spacing)));
+      const Index in_quarter =
+          std::max(Index(1), static_cast<Index>(std::lround(T(0.5) * pi * radius / layout.spacing)));
       const Index count = (in_quarter + more) * quarters;
       for (Index c = 0; c < count; ++c) {
         const T phi = angle * (T(c) + T(0.5)) / T(count);
