@@ -20,7 +20,7 @@ template <class T> struct ContactOptions {
 
 /// What acts on one slave node.
 template <class T> struct ContactForce {
-  Index facet = -1;                   ///< the facet touched last; -1: none yet
+  Index facet = -1;                   ///< the facet touched; -1: no contact
   std::array<T, 4> weights{};         ///< of the facet's nodes
   Vec3<T> normal = Vec3<T>::Zero();   ///< normal force on the slave, N
   Vec3<T> friction = Vec3<T>::Zero(); ///< friction force on the slave, N

@@ -59,6 +59,7 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer
     observer(std::as_const(model), energy(model));
     return result;
   };
+  if (const auto fault = find_not_finite(model)) return stop_at(*fault);
   if (!observer(std::as_const(model), energy(model))) return {StopReason::observer, std::nullopt};
 
   while (model.time < options.end_time * (T(1) - std::numeric_limits<T>::epsilon())) {
