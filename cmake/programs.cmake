@@ -9,6 +9,9 @@ target_compile_options(
             -fno-trapping-math
             # GCC 12 warns of overlaps in std::string that are none (GCC bug 105651).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+            # GCC 12 warns of its own AVX-512 intrinsics (GCC bug 105593).
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
             $<$<BOOL:${OGIVE_NATIVE}>:-march=native>
             $<$<BOOL:${OGIVE_VECTOR_WIDTH}>:-mprefer-vector-width=${OGIVE_VECTOR_WIDTH}>)
 

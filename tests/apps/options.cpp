@@ -55,7 +55,7 @@ TEST_CASE("without arguments the options are the main job") {
 TEST_CASE("friction, end and folder follow from the case unless given") {
   const Options steel = options_of({"--nose", "conical"});
   CHECK(steel.friction == 0.08);
-  CHECK(steel.end_us == 400);
+  CHECK(steel.end_us == 1500);
   const Options aluminium = options_of({"--nose", "conical", "--material=aa5083_h116", "--thickness-mm", "15"});
   CHECK(aluminium.friction == 0.02);
   CHECK(aluminium.out == "vtk_out/aa5083_h116_mjc_conical_15mm_303.5mps");
@@ -85,10 +85,12 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--friction", "-0.1"}, "--friction = -0.1: must lie between 0 and 2"},
       {{"--friction", "2.5"}, "--friction = 2.5: must lie between 0 and 2"},
       {{"--end-us", "0"}, "--end-us = 0: must lie between 1 and 100000 us"},
-      {{"--output-every-us", "0"}, "--output-every-us = 0: must lie between 0.01 and 100000 us"},
+      {{"--output-every-us", "0"}, "--output-every-us = 0: must lie between 0.5 and 100000 us"},
       {{"--clamp-radius-mm", "5000"}, "--clamp-radius-mm = 5000: must lie between 12 and 2000 mm"},
       {{"--spacing-mm", "-0.6"}, "--spacing-mm = -0.6: must lie between 0.05 and 5 mm"},
-      {{"--spacing-mm", "7"}, "--spacing-mm = 7: must be at most half the thickness of the plate, 6 mm"},
+      {{"--spacing-mm", "7"}, "--spacing-mm = 7: must lie between 0.05 and 5 mm"},
+      {{"--thickness-mm", "6", "--spacing-mm", "4"},
+       "--spacing-mm = 4: must be at most half the thickness of the plate, 3 mm"},
       {{"--sph-radius-mm", "11"},
        "--sph-radius-mm = 11: must lie between 11.2 mm, the projectile's radius and two spacings, and less than the "
        "clamp radius, 250 mm"},
@@ -147,7 +149,7 @@ TEST_CASE("errors in a TOML file name file, line, key and what is allowed") {
       {"thickness = 3\n", ":1: thickness = 3: unknown key; allowed are material, model, thickness_mm, "},
       {"config = \"b.toml\"\n", ":1: config = b.toml: unknown key; allowed are material"},
       {"[plate]\nthickness_mm = 3\n", ":1: plate = a table: unknown key; allowed are material"},
-      {"spacing_mm = 7\n", ":1: spacing_mm = 7: must be at most half the thickness of the plate, 6 mm"},
+      {"spacing_mm = 4\nthickness_mm = 6\n", ":1: spacing_mm = 4: must be at most half the thickness of the plate, 3 mm"},
       {"nose = blunt\n", ":1: "},
       {"quiet = true\nthickness_mm = \n", ":2: "},
       {"thickness_mm = 3\nthickness_mm = 4\n", ":2: "},
@@ -198,7 +200,7 @@ TEST_CASE("case.toml runs the same case again") {
   all.element = perforate::ElementRule::selective_reduced;
   all.pressure = perforate::PressureLaw::mie_gruneisen;
   all.out = "a \"quoted\" \\ folder";
-  all.output_every_us = 0.01;
+  all.output_every_us = 0.5;
   all.vtk = false;
   all.picture = false;
   all.quiet = true;
@@ -255,7 +257,7 @@ TEST_CASE("an output folder that cannot be used is refused, and nothing is left 
     refused_with(folder.path / "new" / "results", "must be a folder that can be written to: File too large");
   }
   CHECK_FALSE(std::filesystem::exists(folder.path / "new"));
-  o.output_every_us = 0.01;
+  o.output_every_us = 0.5;
   o.end_us = 100000;
   o.spacing_mm = 0.1;
   refused_with(folder.path / "new" / "results", "needs up to ");

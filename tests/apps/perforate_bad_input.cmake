@@ -36,7 +36,7 @@ refused("--thickness-mm = -3: must lie between 0.5 and 100 mm" --thickness-mm -3
 refused("--velocity-mps = nan: must lie between 1 and 3000 m/s" --velocity-mps nan)
 refused("--friction = rough: must be a number between 0 and 2" --friction rough)
 refused("--nose = flat: must be one of blunt, conical, ogival, hemispherical" --nose flat)
-refused("--spacing-mm = 7: must be at most half the thickness" --spacing-mm 7)
+refused("--spacing-mm = 4: must be at most half the thickness" --thickness-mm 6 --spacing-mm 4)
 refused("--threads = 0: must be a whole number" --threads 0)
 refused("--end-us: needs a value" --end-us)
 refused("--no-such-option: unknown option" --no-such-option)
