@@ -16,7 +16,6 @@ table
 one base 'as it is, 1 mm'
 one spacing_1.2 'particle distance 1.2 mm' --spacing-mm 1.2
 one spacing_0.8 'particle distance 0.8 mm' --spacing-mm 0.8
-one spacing_0.6 'particle distance 0.6 mm' --spacing-mm 0.6
 one cubic 'cubic lattice' --lattice cubic
 one rigid 'rigid projectile' --projectile rigid
 one standard 'standard form' --form standard

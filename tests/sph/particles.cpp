@@ -78,6 +78,26 @@ TEST_CASE("neighbour lists hold what brute force finds, mirror images included",
   }
 }
 
+TEST_CASE("a particle behind a mirror plane and its neighbours find each other both ways", "[sph]") {
+  auto layout = block(9, 8, 7, 0.3);
+  layout.positions[3 * 72 + 3 * 9 + 5][0] = -0.8e-3;
+  layout.positions[4 * 72 + 5 * 9 + 4][1] = -0.3e-3;
+  Nodes<double> nodes;
+  auto body = add_sph_body(nodes, layout, library::weldox_460e_mjc<double>(), "block", {true, true});
+  prepare(body, nodes);
+  const Index n = body.points.size();
+  using Link = std::array<Index, 4>; // particle, other particle, mirrored at x, at y
+  std::set<Link> links;
+  for (Index i = 0; i < n; ++i)
+    for (Index k : row(body.neighbours, i)) {
+      if (k < n) continue;
+      const MirrorImage &image = body.neighbours.images[k - n];
+      links.insert({i, image.parent, image.flip_x, image.flip_y});
+    }
+  CHECK(links.size() > 1000);
+  for (const Link &l : links) REQUIRE(links.count({l[1], l[0], l[2], l[3]}) == 1);
+}
+
 TEST_CASE("neighbour lists are rebuilt before a pair can be missed", "[sph]") {
   const auto layout = block(5, 5, 5, 0.0);
   Nodes<double> nodes;

@@ -113,13 +113,16 @@ void append_within(const CellGrid<T> &grid, const Vec3<T> &p, T reach, Index sel
     }
 }
 
-/// Mirror images of all particles that come within `reach` of a mirror plane.
+/// Mirror images of all particles that another one can have within `reach` (m). A particle may have been pushed across
+/// a plane: the reach is longer by as far as the furthest one lies behind it, so that pairs find each other both ways.
 template <class T>
 std::vector<MirrorImage> mirror_images(std::span<const Vec3<T>> positions, SymmetryPlanes planes, T reach) {
+  Vec3<T> behind = Vec3<T>::Zero();
+  for (const Vec3<T> &x : positions) behind = behind.cwiseMax(-x);
   std::vector<MirrorImage> images;
   const auto add = [&](bool flip_x, bool flip_y) {
     for (std::size_t i = 0; i < positions.size(); ++i)
-      if ((!flip_x || positions[i][0] < reach) && (!flip_y || positions[i][1] < reach))
+      if ((!flip_x || positions[i][0] < reach + behind[0]) && (!flip_y || positions[i][1] < reach + behind[1]))
         images.push_back({static_cast<Index>(i), flip_x, flip_y});
   };
   if (planes.x) add(true, false);
