@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # plate_12mm.sh [folder]: the four measured shots on 12 mm Weldox 460 E with a blunt nose, as the default case, with a
-# rigid projectile and with the standard form; the other noses; the four shots with the cubic lattice. Shots that the folder holds already are
-# not run again. Prints a table in Markdown.
+# rigid projectile and with the standard form; the other noses; the four shots with the cubic lattice. Shots that the
+# folder holds already are not run again. Prints a table in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/plate_12mm}

@@ -1,7 +1,7 @@
 # Sourced by the other scripts here: runs shots once and reads their summaries. Needs `folder`. PERFORATE names another
 # program than that of build/release.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-[ -n "${PERFORATE:-}" ] || "$root/scripts/build.sh" perforate
+[ -n "${PERFORATE:-}${READ_ONLY:-}" ] || "$root/scripts/build.sh" perforate
 mkdir -p "$folder"
 
 # value name key: a value of the shot's summary
@@ -12,8 +12,9 @@ shoot() {
   local name=$1
   shift
   [ -e "$folder/$name/summary.json" ] && return
-  "$root/scripts/with_display.sh" "${PERFORATE:-$root/build/release/apps/perforate}" --quiet --no-vtk --out "$folder/$name" "$@" \
-    > "$folder/$name.log" 2>&1 || echo "$name ended with status $?: see $folder/$name.log" >&2
+  [ -n "${READ_ONLY:-}" ] && return
+  "$root/scripts/with_display.sh" "${PERFORATE:-$root/build/release/apps/perforate}" --quiet --no-vtk \
+    --out "$folder/$name" "$@" > "$folder/$name.log" 2>&1 || echo "$name ended with status $?: see $folder/$name.log" >&2
 }
 
 # number name key format [factor]: a value, formatted; a dash where there is none
@@ -25,15 +26,16 @@ number() {
 
 # row name text: one line of the table
 row() {
+  [ -e "$folder/$1/summary.json" ] || return 0
   echo "| $2 | $(number "$1" initial_velocity_mps %.1f) | $(number "$1" test_residual_velocity_mps %.1f) |" \
     "$(number "$1" residual_velocity_mps %.1f) | $(number "$1" plug_mass_g %.1f) |" \
-    "$(number "$1" energy_error %.3f 100) | $(number "$1" largest_intrusion_mm %.3f) | $(value "$1" steps) |" \
-    "$(number "$1" wall_s %.0f) | $(number "$1" ns_per_particle_step %.0f) |"
+    "$(number "$1" energy_error %.3f 100) | $(number "$1" largest_intrusion_mm %.3f) |" \
+    "$(number "$1" momentum_error %.0e) | $(value "$1" steps) |"
 }
 
 table() {
-  echo '| case | initial, m/s | test, m/s | computed, m/s | plug, g | energy error, % | intrusion, mm | steps | wall, s | ns per particle and step |'
-  echo '|---|---|---|---|---|---|---|---|---|---|'
+  echo '| case | initial, m/s | test, m/s | computed, m/s | plug, g | energy error, % | intrusion, mm | momentum error | steps |'
+  echo '|---|---|---|---|---|---|---|---|---|'
 }
 
 # made_by script: says where the numbers come from
