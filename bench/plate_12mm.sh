@@ -29,5 +29,6 @@ four standard 'standard form' --form standard
 one conical 'conical nose' --nose conical --velocity-mps 355.6
 one ogival 'ogival nose' --nose ogival --velocity-mps 355.6
 one hemispherical 'hemispherical nose' --nose hemispherical --velocity-mps 355.6
-one aluminium 'AA5083-H116, 15 mm, conical nose' --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 250
+one aluminium 'AA5083-H116, 15 mm, conical nose, particles 0.75 mm' --material aa5083_h116 --nose conical --thickness-mm 15 \
+  --velocity-mps 250 --spacing-mm 0.75
 four cubic 'cubic lattice' --lattice cubic
