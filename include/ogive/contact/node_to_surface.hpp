@@ -34,7 +34,7 @@ template <class T> struct NodeToSurface {
   SymmetryPlanes symmetry{};
   std::vector<Index> slaves;                 ///< node numbers
   std::vector<T> offset;                     ///< m, one for each slave
-  std::vector<T> slave_mass;                 ///< kg
+  std::vector<T> slave_mass;                 ///< kg; 0: let go
   std::vector<Facet> facets;                 ///< masters, outward
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
   T reference_time_step{};                   ///< s, of the stiffness; set by the first step

@@ -155,6 +155,27 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
   return body;
 }
 
+/// True if all material points of hex e have failed: it has no shear stiffness left.
+template <class T, class Law, class Rule> bool is_failed(const HexBody<T, Law, Rule> &body, Index e) {
+  for (int p = 0; p < Rule::points; ++p)
+    if (!is_failed(body.metal.damage, body.points.damage[e * Rule::points + p])) return false;
+  return true;
+}
+
+/// True if all material points of hex e have failed and have been removed: it acts on its nodes no more.
+template <class T, class Law, class Rule> bool is_removed(const HexBody<T, Law, Rule> &body, Index e) {
+  return body.metal.damage.effect == FailureEffect::removal && is_failed(body, e);
+}
+
+/// True if the `n`-th node of the body belongs to nothing but removed hexes.
+template <class T, class Law, class Rule> bool is_node_removed(const HexBody<T, Law, Rule> &body, Index n) {
+  if (body.metal.damage.effect != FailureEffect::removal) return false;
+  const CornersOfNodes &list = body.corners_of_nodes;
+  for (Index k = list.begin[n]; k < list.begin[n + 1]; ++k)
+    if (!is_removed(body, list.corners[k] / 8)) return false;
+  return true;
+}
+
 /// Energy that the stress has taken up, J: elastic, plastic and heat.
 template <class T, class Law, class Rule> T internal_energy(const HexBody<T, Law, Rule> &body) {
   return ordered_sum(body.points.size(), T(0),
@@ -171,12 +192,12 @@ template <class T, class Law, class Rule> T viscous_energy(const HexBody<T, Law,
   return ordered_sum(static_cast<Index>(body.hexes.size()), T(0), [&](Index e) { return body.viscous_energy[e]; });
 }
 
-/// A hex whose volume is not positive: the first one, or -1.
+/// A hex whose volume is not positive: the first one, or -1. Removed hexes may have any shape.
 template <class T, class Law, class Rule>
 Index first_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   const Index count = static_cast<Index>(body.hexes.size());
   const Index first = parallel_min(count, count, [&](Index e) {
-    return hex_volume<T>(gather_corners(nodes.position, body.hexes[e])) > T(0) ? count : e;
+    return is_removed(body, e) || hex_volume<T>(gather_corners(nodes.position, body.hexes[e])) > T(0) ? count : e;
   });
   return first == count ? -1 : first;
 }

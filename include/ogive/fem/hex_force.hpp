@@ -11,9 +11,19 @@ namespace ogive {
 /// Nothing to prepare: hexes keep their neighbours.
 template <class T, class Law, class Rule> void prepare(HexBody<T, Law, Rule> &, const Nodes<T> &) {}
 
+/// Takes the rates from a removed hex, whose corners may be anywhere.
+template <class T, class Law, class Rule> void stop_motion(HexBody<T, Law, Rule> &body, Index e) {
+  for (int p = 0; p < Rule::points; ++p) body.points.velocity_gradient[e * Rule::points + p].setZero();
+  if constexpr (Rule::points == 1) body.hourglass_motion[e].rate.setZero();
+}
+
 /// Velocity gradient at every material point with respect to the latest positions; keeps the gradients for the force.
 template <class T, class Law, class Rule> void velocity_gradient(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   parallel_for(static_cast<Index>(body.hexes.size()), [&](Index e) {
+    if (is_removed(body, e)) {
+      stop_motion(body, e);
+      return;
+    }
     const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
     const Corners<T> v = gather_corners(nodes.velocity, body.hexes[e]);
     const HexModes<T> x_modes = modes<T>(x);
@@ -47,7 +57,7 @@ template <class T> T bulk_viscosity(const HexOptions<T> &options, T density, T s
 }
 
 /// Moves the generalised hourglass forces of hex e through the step `dt` (s) and returns those that act at its end, N.
-/// They turn with the material; their work is added to the hex's hourglass energy.
+/// They turn with the material and vanish when it fails; their work is added to the hex's hourglass energy.
 template <class T, class Law>
 HourglassModes<T> update_hourglass(HexBody<T, Law, OnePoint> &body, Index e, T gradient_norm, T dt) {
   const auto &options = body.options;
@@ -57,7 +67,10 @@ HourglassModes<T> update_hourglass(HexBody<T, Law, OnePoint> &body, Index e, T g
   const T modulus = p_wave_modulus(body.metal.elasticity);
   const Mat3<T> R = spin_rotation<T>(midstep_gradient<T>(body.points.velocity_gradient[e], dt), dt);
   const HourglassModes<T> turned = R * body.hourglass_force[e];
-  body.hourglass_force[e] = turned + dt * hourglass_force_rate<T>(mean, options.hourglass_stiffness * modulus, rate);
+  if (is_failed(body, e))
+    body.hourglass_force[e].setZero();
+  else
+    body.hourglass_force[e] = turned + dt * hourglass_force_rate<T>(mean, options.hourglass_stiffness * modulus, rate);
   const HourglassModes<T> viscous =
       hourglass_damping<T>(options.hourglass_viscosity, modulus, body.points.density[e], mean.volume, gradient_norm) *
       rate;
@@ -76,6 +89,7 @@ Corners<T> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Ind
     add_hourglass_forces<T>(mean, body.hourglass_motion[e].shape, update_hourglass(body, e, gradient_norm, dt), force);
     return corner_values<T>(force);
   } else {
+    if (is_removed(body, e)) return Corners<T>::Zero();
     const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
     Corners<T> force = Corners<T>::Zero();
     T pressure_volume = q * mean.volume;

@@ -97,10 +97,11 @@ T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nod
   return T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
 }
 
-/// Smallest stable step of all hexes at the latest positions, s.
+/// Smallest stable step of all hexes that are there at the latest positions, s.
 template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
-  return parallel_min(static_cast<Index>(body.hexes.size()), std::numeric_limits<T>::max(),
-                      [&](Index e) { return stable_time_step_of_hex(body, nodes, e); });
+  return parallel_min(static_cast<Index>(body.hexes.size()), std::numeric_limits<T>::max(), [&](Index e) {
+    return is_removed(body, e) ? std::numeric_limits<T>::max() : stable_time_step_of_hex(body, nodes, e);
+  });
 }
 
 /// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and

@@ -9,14 +9,14 @@
 /// linear fields: gamma_alpha,a = h_alpha,a - b_a . X_alpha, X_alpha = sum_a h_alpha,a x_a. With the unit mode
 /// gamma/sqrt(8), a mode's rate is q' = sum_a gamma_a v_a / sqrt(8). On a cube of edge L every mode has the stiffness
 ///   k = stiffness (lambda + 2 mu) V sum_a |b_a|^2 = 1.5 stiffness (lambda + 2 mu) L.
-/// The true bending stiffness is E L/6, which at Poisson's ratio 1/3 is met by stiffness = 0.074; the default 0.1
-/// is 1.35 times as stiff as bending.
+/// The true bending stiffness is E L/6, which at Poisson's ratio 0.33 is met by stiffness = 0.075; the default 0.1
+/// is 1.33 times as stiff as bending.
 ///
 /// sum |b|^2 of a flat hex is that of its thickness, and k would lock the bending of plates of flat hexes. Therefore
 /// each direction of a mode gets the gradients that strain it, without the parasitic shear (as in Belytschko & Bindeman
 /// 1993, Comput. Methods Appl. Mech. Engng 105, 225-260): the mode xi eta has
 ///   K = 3/8 stiffness (lambda + 2 mu) V [g_xi (x) g_xi + g_eta (x) g_eta + (|g_xi|^2 + |g_eta|^2)/2 n (x) n],
-/// g_xi = grad xi, n the unit normal to both, and xi eta zeta the sum of g (x) g. Any brick then has 1.35 times the
+/// g_xi = grad xi, n the unit normal to both, and xi eta zeta the sum of g (x) g. Any brick then has 1.33 times the
 /// true bending stiffness, a cube the k above.
 
 namespace ogive {

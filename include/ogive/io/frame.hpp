@@ -60,27 +60,29 @@ inline const Field &find_field(const std::vector<Field> &fields, std::string_vie
   throw SetupError(std::string(part) + " field = " + std::string(name) + ": must be one of " + names);
 }
 
-/// Positions of the nodes of a range, m.
-template <class T> std::vector<Vec3<float>> gather_positions(const Nodes<T> &nodes, NodeRange range) {
+/// Positions of nodes, m.
+template <class T> std::vector<Vec3<float>> gather_positions(const Nodes<T> &nodes, const std::vector<Index> &numbers) {
   std::vector<Vec3<float>> positions;
-  positions.reserve(static_cast<std::size_t>(range.size()));
-  for (Index n = range.begin; n < range.end; ++n) positions.push_back(nodes.position[n].template cast<float>());
+  positions.reserve(numbers.size());
+  for (const Index n : numbers) positions.push_back(nodes.position[n].template cast<float>());
   return positions;
 }
 
-/// Field "velocity_m_per_s" of the nodes of a range: half a step older than the positions.
-template <class T> Field gather_velocity(const Nodes<T> &nodes, NodeRange range) {
+/// Field "velocity_m_per_s" of nodes: half a step older than the positions.
+template <class T> Field gather_velocity(const Nodes<T> &nodes, const std::vector<Index> &numbers) {
   Field field{"velocity_m_per_s", 3, {}};
-  field.values.reserve(3 * static_cast<std::size_t>(range.size()));
-  for (Index n = range.begin; n < range.end; ++n)
+  field.values.reserve(3 * numbers.size());
+  for (const Index n : numbers)
     for (int k = 0; k < 3; ++k) field.values.push_back(static_cast<float>(nodes.velocity[n][k]));
   return field;
 }
 
-/// The state of material points as fields, a value for every `points_per_value` consecutive points: their mean (von
-/// Mises stress is that of the mean stress). Stress is Cauchy's, positive in tension; pressure is positive in
-/// compression.
-template <class T> std::vector<Field> gather_state(const MaterialPoints<T> &points, Index points_per_value) {
+/// The state of material points as fields, a value for each of `cells`: the mean over its `points_per_cell` consecutive
+/// points (von Mises stress is that of the mean stress). Stress is Cauchy's, positive in tension; pressure is positive
+/// in compression.
+template <class T>
+std::vector<Field> gather_state(const MaterialPoints<T> &points, const std::vector<Index> &cells,
+                                Index points_per_cell) {
   std::vector<Field> fields{{"stress_MPa", 6, {}},
                             {"von_mises_MPa", 1, {}},
                             {"pressure_MPa", 1, {}},
@@ -89,13 +91,12 @@ template <class T> std::vector<Field> gather_state(const MaterialPoints<T> &poin
                             {"temperature_K", 1, {}},
                             {"damage", 1, {}},
                             {"density_kg_per_m3", 1, {}}};
-  const Index values = points_per_value > 0 ? points.size() / points_per_value : 0;
-  for (Field &field : fields) field.values.reserve(static_cast<std::size_t>(values * field.components));
-  const T share = T(1) / static_cast<T>(points_per_value);
+  for (Field &field : fields) field.values.reserve(cells.size() * static_cast<std::size_t>(field.components));
+  const T share = T(1) / static_cast<T>(points_per_cell);
   const T to_MPa = T(1e-6);
-  for (Index v = 0; v < values; ++v) {
+  for (const Index cell : cells) {
     MaterialPoint<T> mean;
-    for (Index i = v * points_per_value; i < (v + 1) * points_per_value; ++i) {
+    for (Index i = cell * points_per_cell; i < (cell + 1) * points_per_cell; ++i) {
       mean.deviator += share * points.deviator[i];
       mean.pressure += share * points.pressure[i];
       mean.plastic_strain += share * points.plastic_strain[i];
@@ -115,25 +116,45 @@ template <class T> std::vector<Field> gather_state(const MaterialPoints<T> &poin
   return fields;
 }
 
-/// A body of particles as a cloud of points.
+/// The numbers from `begin` to `end` that `is_kept` wants.
+template <class F> std::vector<Index> numbers_of(Index begin, Index end, F &&is_kept) {
+  std::vector<Index> numbers;
+  numbers.reserve(static_cast<std::size_t>(end - begin));
+  for (Index i = begin; i < end; ++i)
+    if (is_kept(i)) numbers.push_back(i);
+  return numbers;
+}
+
+/// A body of particles as a cloud of points. Removed particles are left out.
 template <class T, class Body> PointCloud gather_cloud(const Nodes<T> &nodes, const Body &body, int part) {
-  PointCloud cloud{body.name, part, static_cast<float>(body.spacing), gather_positions(nodes, body.nodes),
-                   gather_state(body.points, 1)};
-  cloud.fields.push_back(gather_velocity(nodes, body.nodes));
+  const auto particles = numbers_of(0, body.points.size(), [&](Index i) { return !is_removed(body, i); });
+  std::vector<Index> numbers = particles;
+  for (Index &n : numbers) n += body.nodes.begin;
+  PointCloud cloud{body.name, part, static_cast<float>(body.spacing), gather_positions(nodes, numbers),
+                   gather_state(body.points, particles, 1)};
+  cloud.fields.push_back(gather_velocity(nodes, numbers));
   return cloud;
 }
 
-/// A body of hexes as a grid. Elements with several material points give their mean.
+/// A body of hexes as a grid. Elements with several material points give their mean. Removed hexes and their corners
+/// are left out.
 template <class T, class Body> HexGrid gather_grid(const Nodes<T> &nodes, const Body &body, int part) {
-  const auto hexes = static_cast<Index>(body.hexes.size());
+  const auto count = static_cast<Index>(body.hexes.size());
+  const auto hexes = numbers_of(0, count, [&](Index e) { return !is_removed(body, e); });
+  const auto numbers = numbers_of(body.nodes.begin, body.nodes.end,
+                                  [&](Index n) { return !is_node_removed(body, n - body.nodes.begin); });
+  std::vector<Index> place(static_cast<std::size_t>(body.nodes.size()), -1);
+  for (std::size_t k = 0; k < numbers.size(); ++k) place[numbers[k] - body.nodes.begin] = static_cast<Index>(k);
   HexGrid grid{body.name,
                part,
-               gather_positions(nodes, body.nodes),
-               body.hexes,
-               {gather_velocity(nodes, body.nodes)},
-               gather_state(body.points, hexes > 0 ? body.points.size() / hexes : 0)};
-  for (auto &corners : grid.hexes)
-    for (Index &corner : corners) corner -= body.nodes.begin;
+               gather_positions(nodes, numbers),
+               {},
+               {gather_velocity(nodes, numbers)},
+               gather_state(body.points, hexes, count > 0 ? body.points.size() / count : 1)};
+  for (const Index e : hexes) {
+    auto &corners = grid.hexes.emplace_back(body.hexes[e]);
+    for (Index &corner : corners) corner = place[corner - body.nodes.begin];
+  }
   return grid;
 }
 

@@ -7,16 +7,16 @@
 
 namespace ogive {
 
-/// Constants of the failure strain (Liu et al. 2012, Eq. 4). All zero: no damage is accumulated.
-template <class T> struct FailureStrain { T D1{}, D2{}, D3{}, D4{}, D5{}; };
+/// Constants of the failure strain (Liu et al. 2012, Eq. 4). The paper has no reference rate: 1/s.
+template <class T> struct FailureStrain {
+  T D1{}, D2{}, D3{}, D4{}, D5{};
+  T reference_rate = T(1); ///< 1/s, what published values of D4 are relative to
+};
 
-/// True if any of D1, D2 is set.
-template <class T> bool is_active(const FailureStrain<T> &f) { return f.D1 != T(0) || f.D2 != T(0); }
-
-/// eps_f = [D1 + D2 exp(D3 triaxiality)] rate^D4 [1 + D5 T*] (Liu et al. 2012, Eq. 4), never below 1e-6.
+/// eps_f = [D1 + D2 exp(D3 triaxiality)] (rate/reference)^D4 [1 + D5 T*] (Liu et al. 2012, Eq. 4), never below 1e-6.
 template <class T> T failure_strain(const FailureStrain<T> &f, T triaxiality, T rate, T homologous_temperature) {
-  const T strain =
-      (f.D1 + f.D2 * std::exp(f.D3 * triaxiality)) * std::pow(rate, f.D4) * (T(1) + f.D5 * homologous_temperature);
+  const T strain = (f.D1 + f.D2 * std::exp(f.D3 * triaxiality)) * std::pow(rate / f.reference_rate, f.D4) *
+                   (T(1) + f.D5 * homologous_temperature);
   return std::max(strain, T(1e-6));
 }
 

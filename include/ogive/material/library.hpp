@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ogive/material/bilinear.hpp"
+#include "ogive/material/critical_work.hpp"
 #include "ogive/material/johnson_cook.hpp"
 #include "ogive/material/metal.hpp"
 
@@ -10,7 +11,8 @@
 
 namespace ogive::library {
 
-/// Elastic and thermal constants of Weldox 460 E (Liu et al. 2012, Table 1), without flow law.
+/// Elastic and thermal constants of Weldox 460 E (Liu et al. 2012, Table 1) with a flow law. Damage is off; its
+/// constants are those of Boervik, Hopperstad, Berstad & Langseth 2001 (as commonly quoted), W_cr follows from them.
 template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string source) {
   Metal<T, Law> m;
   m.name = "weldox_460e";
@@ -22,6 +24,8 @@ template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string so
   m.specific_heat = T(452);
   m.room_temperature = T(293);
   m.melting_temperature = T(1800);
+  m.damage.failure_strain = {T(0.0705), T(1.732), T(-0.54), T(-0.0123), T(0), T(5e-4)};
+  m.damage.critical_work = critical_work_of_tension(m);
   return m;
 }
 
@@ -39,7 +43,8 @@ template <class T> Metal<T, JohnsonCook<T>> weldox_460e_jc() {
       "Boervik, Hopperstad, Berstad & Langseth 2001 (quoted)");
 }
 
-/// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2), without flow law.
+/// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2) with a flow law. Damage is off; its constants
+/// are those of Clausen, Boervik, Hopperstad & Benallal 2004 (as commonly quoted), W_cr follows from them.
 template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string source) {
   Metal<T, Law> m;
   m.name = "aa5083_h116";
@@ -51,6 +56,8 @@ template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string so
   m.specific_heat = T(910);
   m.room_temperature = T(293);
   m.melting_temperature = T(893);
+  m.damage.failure_strain = {T(0.0261), T(0.263), T(-0.349), T(0.147), T(16.8), T(1)};
+  m.damage.critical_work = critical_work_of_tension(m);
   return m;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "ogive/core/error.hpp"
+#include "ogive/material/damage.hpp"
 #include "ogive/material/equation_of_state.hpp"
-#include "ogive/material/failure_strain.hpp"
 #include "ogive/material/flow_law.hpp"
 #include "ogive/material/points.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -37,7 +39,7 @@ struct Metal {
   T room_temperature = T(293);    ///< K, initial
   T melting_temperature = T(1e4); ///< K
   T rate_floor = T(1);            ///< smallest plastic strain rate given to the flow law, 1/s
-  FailureStrain<T> failure{};
+  Damage<T> damage{};
 };
 
 /// Longitudinal sound speed, m/s.
@@ -51,6 +53,26 @@ template <class T, class Law> MaterialPoint<T> initial_point(const Metal<T, Law>
   p.density = m.density;
   p.temperature = m.room_temperature;
   return p;
+}
+
+/// T* = (T - Tr)/(Tm - Tr), between 0 and 1.
+template <class T, class Law> T homologous_temperature(const Metal<T, Law> &m, T temperature) {
+  return std::clamp((temperature - m.room_temperature) / (m.melting_temperature - m.room_temperature), T(0), T(1));
+}
+
+/// Throws SetupError if a constant of the metal's damage is out of range.
+template <class T> void check(const Damage<T> &damage, const std::string &metal) {
+  if (damage.law == DamageLaw::cockcroft_latham)
+    require(std::isfinite(damage.critical_work) && damage.critical_work > T(0), metal + " critical work W_cr (Pa)",
+            damage.critical_work, "must be positive and finite for damage by Cockcroft-Latham");
+  if (damage.law != DamageLaw::johnson_cook) return;
+  const FailureStrain<T> &f = damage.failure_strain;
+  const std::array<T, 5> constants{f.D1, f.D2, f.D3, f.D4, f.D5};
+  for (std::size_t k = 0; k < constants.size(); ++k)
+    require(std::isfinite(constants[k]), metal + " D" + std::to_string(k + 1), constants[k], "must be finite");
+  require(f.D1 > T(0) || f.D2 > T(0), metal + " D1 and D2", f.D1, "one must be positive for damage by Johnson-Cook");
+  require(std::isfinite(f.reference_rate) && f.reference_rate > T(0), metal + " reference rate of the damage (1/s)",
+          f.reference_rate, "must be positive and finite");
 }
 
 /// Throws SetupError if a constant is out of range.
@@ -69,6 +91,7 @@ template <class T, class Law> void check(const Metal<T, Law> &m) {
   positive(m.rate_floor, "rate floor (1/s)");
   require(m.melting_temperature > m.room_temperature, m.name + " melting temperature (K)", m.melting_temperature,
           "must lie above room temperature");
+  check(m.damage, m.name);
 }
 
 } // namespace ogive

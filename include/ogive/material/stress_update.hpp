@@ -28,48 +28,64 @@ template <class T> Sym3<T> rotated(const Sym3<T> &s, const Mat3<T> &Q) {
   return {r(0, 0), r(1, 1), r(2, 2), r(0, 1), r(1, 2), r(2, 0)};
 }
 
-/// Moves one material point through a step `dt` (s) with the velocity gradient `L` (1/s, with respect to the positions
-/// at the end of the step): Jaumann rate, radial return, adiabatic heating (Liu et al. 2012, Eqs. 1-2), damage (Eqs.
-/// 3-4), pressure last.
+/// Sets the pressure of `now` from its density and energy, and its internal energy from the work of the stress over the
+/// step `dt` (s) with the rate of deformation `D` (1/s), by the trapezoidal rule. A failed point has no tension, a
+/// removed one no pressure at all.
 template <class T, class Law>
-MaterialPoint<T> updated(const Metal<T, Law> &metal, const MaterialPoint<T> &old, const Mat3<T> &L, T dt) {
-  const Mat3<T> mid = midstep_gradient(L, dt);
-  const Sym3<T> D = symmetric_part(mid);
-  const T dilatation = trace(D);
-  const T shear = shear_modulus(metal.elasticity);
-
-  MaterialPoint<T> now = old;
-  now.density = old.density * (T(1) - T(0.5) * dt * dilatation) / (T(1) + T(0.5) * dt * dilatation);
-
-  Sym3<T> trial = rotated(old.deviator, spin_rotation(mid, dt));
-  trial += T(2) * shear * dt * deviator(D);
-  const T q_trial = von_mises(trial);
-  const PlasticStep<T> plastic = radial_return(metal, old, q_trial, dt);
-  now.plastic_strain_rate = plastic.increment / dt;
-  if (plastic.increment > T(0)) {
-    now.deviator = plastic.flow_stress / q_trial * trial;
-    now.plastic_strain += plastic.increment;
-    if (metal.specific_heat > T(0))
-      now.temperature +=
-          metal.taylor_quinney * plastic.flow_stress * plastic.increment / (metal.density * metal.specific_heat);
-  } else {
-    now.deviator = trial;
-  }
-
+void balance(const Metal<T, Law> &metal, const MaterialPoint<T> &old, MaterialPoint<T> &now, const Sym3<T> &D, T dt) {
   const T deviatoric_work =
       T(0.5) * dt * double_dot(T(1) / old.density * old.deviator + T(1) / now.density * now.deviator, D);
-  const T volume_half = -T(0.5) * dt * dilatation;
+  const T volume_half = -T(0.5) * dt * trace(D);
   const T energy = old.internal_energy + deviatoric_work + volume_half * old.pressure / old.density;
   const T mu = now.density / metal.density - T(1);
   now.pressure = pressure(metal.eos, bulk_modulus(metal.elasticity), mu, metal.density * energy);
+  if (is_failed(metal.damage, now.damage)) now.pressure = std::max(now.pressure, T(0));
+  if (is_removed(metal.damage, now.damage)) now.pressure = T(0);
   now.internal_energy = energy + volume_half * now.pressure / now.density;
+}
 
-  if (plastic.increment > T(0) && is_active(metal.failure)) {
-    const T rate = std::max(now.plastic_strain_rate, metal.rate_floor);
-    const T homologous = std::clamp(
-        (now.temperature - metal.room_temperature) / (metal.melting_temperature - metal.room_temperature), T(0), T(1));
-    const T triaxiality = plastic.flow_stress > T(0) ? -now.pressure / plastic.flow_stress : T(0);
-    now.damage += plastic.increment / failure_strain(metal.failure, triaxiality, rate, homologous);
+/// Moves one material point through a step `dt` (s) with the velocity gradient `L` (1/s, with respect to the positions
+/// at the end of the step): Jaumann rate, radial return, adiabatic heating (Liu et al. 2012, Eqs. 1-2), pressure,
+/// damage (Eqs. 3-4). The point loses its stress in the step in which it fails; what it had stored counts as
+/// dissipated.
+template <class T, class Law>
+MaterialPoint<T> updated(const Metal<T, Law> &metal, const MaterialPoint<T> &old, const Mat3<T> &L, T dt) {
+  if (is_removed(metal.damage, old.damage)) return old;
+  const Mat3<T> mid = midstep_gradient(L, dt);
+  const Sym3<T> D = symmetric_part(mid);
+  const T dilatation = trace(D);
+
+  MaterialPoint<T> now = old;
+  now.density = old.density * (T(1) - T(0.5) * dt * dilatation) / (T(1) + T(0.5) * dt * dilatation);
+  now.plastic_strain_rate = T(0);
+  if (is_failed(metal.damage, old.damage)) {
+    balance(metal, old, now, D, dt);
+    return now;
+  }
+
+  Sym3<T> trial = rotated(old.deviator, spin_rotation(mid, dt));
+  trial += T(2) * shear_modulus(metal.elasticity) * dt * deviator(D);
+  const T q_trial = von_mises(trial);
+  const PlasticStep<T> plastic = radial_return(metal, old, q_trial, dt);
+  now.deviator = trial;
+  if (plastic.increment > T(0)) {
+    now.deviator *= plastic.flow_stress / q_trial;
+    now.plastic_strain += plastic.increment;
+    now.plastic_strain_rate = plastic.increment / dt;
+    if (metal.specific_heat > T(0))
+      now.temperature +=
+          metal.taylor_quinney * plastic.flow_stress * plastic.increment / (metal.density * metal.specific_heat);
+  }
+  balance(metal, old, now, D, dt);
+
+  if (plastic.increment > T(0) && metal.damage.law != DamageLaw::none) {
+    now.damage +=
+        damage_growth(metal.damage, now, plastic.increment, std::max(now.plastic_strain_rate, metal.rate_floor),
+                      homologous_temperature(metal, now.temperature));
+    if (is_failed(metal.damage, now.damage)) {
+      now.deviator = Sym3<T>{};
+      balance(metal, old, now, D, dt);
+    }
   }
   return now;
 }

@@ -13,10 +13,13 @@ template <class T> struct Fragments {
   T plug_velocity{}; ///< m/s in the direction of flight
   T debris_mass{};   ///< kg, all smaller pieces
   Index pieces = 0;  ///< number of loose pieces, of the computed part
+  T failed_mass{};   ///< kg, failed particles, removed ones included; they belong to no piece; whole model
+  Index failed = 0;  ///< number of failed particles, of the computed part
 };
 
 /// Number of the piece that each particle belongs to: the smallest particle index of the piece. Two particles are
-/// connected while they are nearer than `distance` (m). One piece before the first step, which makes the lists.
+/// connected while they are nearer than `distance` (m) and neither has failed. One piece before the first step, which
+/// makes the lists.
 template <class T, class Body>
 std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T distance) {
   const Index n = body.points.size();
@@ -27,9 +30,10 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
     return i;
   };
   if (body.neighbours.row_begin.empty()) return std::vector<Index>(n, 0);
+  const auto failed = [&](Index i) { return is_failed(body.metal.damage, body.points.damage[i]); };
   for (Index i = 0; i < n; ++i)
     for (Index j : row(body.neighbours, i)) {
-      if (j <= i || j >= n) continue;
+      if (j <= i || j >= n || failed(i) || failed(j)) continue;
       const Vec3<T> gap = nodes.position[body.nodes.begin + i] - nodes.position[body.nodes.begin + j];
       if (gap.squaredNorm() > distance * distance) continue;
       const Index a = root(i), b = root(j);
@@ -39,8 +43,8 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
   return piece;
 }
 
-/// Plug and debris: pieces of particles that no chain of neighbours nearer than `ratio` particle distances connects to
-/// the rim. In a quarter model a piece is taken with its mirror images.
+/// Plug and debris: pieces of sound particles that no chain of neighbours nearer than `ratio` particle distances
+/// connects to the rim. In a quarter model a piece is taken with its mirror images.
 template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   const auto &body = disc(model);
   const auto &nodes = model.nodes;
@@ -57,14 +61,19 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   Fragments<T> f;
   Index plug = -1;
   T loose{};
+  const T copies = T(model.symmetry.copies());
   for (Index i = 0; i < static_cast<Index>(piece.size()); ++i) {
+    if (is_failed(body.metal.damage, body.points.damage[i])) {
+      ++f.failed;
+      f.failed_mass += copies * body.point_mass[i];
+      continue;
+    }
     if (piece[i] != i || at_rim[i]) continue;
     ++f.pieces;
     loose += mass[i];
     if (plug < 0 || mass[i] > mass[plug]) plug = i;
   }
   if (plug < 0) return f;
-  const T copies = T(model.symmetry.copies());
   f.plug_mass = copies * mass[plug];
   f.plug_velocity = momentum[plug] / mass[plug];
   f.debris_mass = copies * (loose - mass[plug]);
@@ -74,7 +83,8 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
 /// True once a piece of at least 1 g has come off the plate.
 template <class M> bool is_plug_loose(const M &model) { return find_fragments(model).plug_mass > 1e-3; }
 
-/// How far the particle that is deepest inside the projectile lies behind its surface, m; 0 if none is inside.
+/// How far the particle that is deepest inside the projectile lies behind its surface, m; 0 if none is inside. Removed
+/// particles may be anywhere.
 template <class M> auto largest_intrusion(const M &model) {
   const auto &contact = model.contacts.front();
   const auto &nodes = model.nodes;
@@ -85,7 +95,7 @@ template <class M> auto largest_intrusion(const M &model) {
     for (Index n : f.nodes) extend(box, nodes.position[n]);
   return parallel_max(body.nodes.size(), T(0), [&](Index i) {
     const Vec3<T> &p = nodes.position[body.nodes.begin + i];
-    if (!is_inside(box, p)) return T(0);
+    if (is_removed(body, i) || !is_inside(box, p)) return T(0);
     FacetPoint<T> best;
     best.distance_squared = T(1e30);
     T alignment{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ogive/contact/force.hpp"
+#include "ogive/contact/release.hpp"
 #include "ogive/contact/tie.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/material/stress_update.hpp"
@@ -22,7 +23,10 @@ template <class M, class T> void step(M &model, T dt) {
     update_stress(body, before);
     add_internal_force(body, nodes, before);
   });
-  for (auto &contact : model.contacts) add_contact_force(contact, nodes, before, dt);
+  for (auto &contact : model.contacts) {
+    for_each_body(model, [&](const auto &body) { release_removed(contact, body); });
+    add_contact_force(contact, nodes, before, dt);
+  }
   for (const auto &tie : model.ties) hand_over_forces(tie, nodes);
   for (const auto &part : model.rigid_parts) rigidify(part, nodes);
   model.support_impulse += support_impulse(nodes, kick);

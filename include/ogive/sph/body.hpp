@@ -91,6 +91,25 @@ template <class Body> auto reference_smoothing_length(const Body &body) {
   return body.options.smoothing_ratio * body.spacing;
 }
 
+/// True if particle i has failed and has been removed: it has no neighbours any more.
+template <class T, class Law, class K, class F> bool is_removed(const SphBody<T, Law, K, F> &body, Index i) {
+  return is_removed(body.metal.damage, body.points.damage[i]);
+}
+
+/// True if the `n`-th node of the body belongs to nothing but removed material.
+template <class T, class Law, class K, class F> bool is_node_removed(const SphBody<T, Law, K, F> &body, Index n) {
+  return is_removed(body, n);
+}
+
+/// Volume of particle i in sums over neighbours, m3: mass over density. A removed particle has none; a failed one at
+/// most that of its undeformed metal, because what opens around it is void.
+template <class T, class Law, class K, class F> T kernel_volume(const SphBody<T, Law, K, F> &body, Index i) {
+  const Damage<T> &damage = body.metal.damage;
+  const T D = body.points.damage[i], density = body.points.density[i];
+  if (is_removed(damage, D)) return T(0);
+  return body.point_mass[i] / (is_failed(damage, D) ? std::max(density, body.metal.density) : density);
+}
+
 /// Stable time step, s: courant * spacing / sound speed; a variable smoothing length shortens it with its smallest
 /// value.
 template <class T, class Law, class K, class F>

@@ -41,7 +41,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
     d.x[k] = sx * x[i][0], d.y[k] = sy * x[i][1], d.z[k] = x[i][2];
     d.vx[k] = sx * v[i][0], d.vy[k] = sy * v[i][1], d.vz[k] = v[i][2];
     d.density[k] = body.points.density[i];
-    d.volume[k] = body.point_mass[i] / d.density[k];
+    d.volume[k] = kernel_volume(body, i);
     if (body.options.variable_smoothing) d.smoothing[k] = smoothing_length(body, i);
   });
 }

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "ogive/core/types.hpp"
+#include "ogive/material/failure_strain.hpp"
+#include "ogive/material/points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ogive {
+
+/// How damage grows with plastic strain.
+enum class DamageLaw {
+  none,            ///< it does not
+  johnson_cook,    ///< D = sum of d eps / eps_f (Liu et al. 2012, Eqs. 3-4; Johnson & Cook 1985)
+  cockcroft_latham ///< D = 1/W_cr times the integral of max(sigma_1, 0) d eps (Cockcroft & Latham 1968)
+};
+
+/// What a material point does once its damage has reached 1.
+enum class FailureEffect {
+  none,       ///< nothing: damage is only written (the paper's runs)
+  no_tension, ///< it carries neither shear nor tension, pressure only
+  removal     ///< it acts on nothing any more; its nodes fly on with their mass
+};
+
+/// Damage of a metal.
+template <class T> struct Damage {
+  DamageLaw law = DamageLaw::none;
+  FailureEffect effect = FailureEffect::none;
+  FailureStrain<T> failure_strain{}; ///< of the Johnson-Cook law
+  T critical_work{};                 ///< W_cr of the Cockcroft-Latham law, Pa
+};
+
+/// True if a point with the damage `D` has failed, so that failure shows.
+template <class T> bool is_failed(const Damage<T> &damage, T D) {
+  return damage.effect != FailureEffect::none && D >= T(1);
+}
+
+/// True if a point with the damage `D` has been removed.
+template <class T> bool is_removed(const Damage<T> &damage, T D) {
+  return damage.effect == FailureEffect::removal && D >= T(1);
+}
+
+/// Largest principal value of a stress given by its deviator and pressure (Pa), by the Lode angle: sigma_1 = -p +
+/// 2/3 q cos(theta), cos(3 theta) = 27/2 J3/q^3.
+template <class T> T largest_principal_stress(const Sym3<T> &deviator, T pressure) {
+  const T q = von_mises(deviator);
+  if (!(q > T(0))) return -pressure;
+  const Sym3<T> s = T(1) / q * deviator;
+  const T J3 =
+      s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.zx) + s.zx * (s.xy * s.yz - s.yy * s.zx);
+  return -pressure + T(2) / T(3) * q * std::cos(std::acos(std::clamp(T(13.5) * J3, T(-1), T(1))) / T(3));
+}
+
+/// Growth of the damage while the plastic strain of `point` grows by `increment` (>= 0) to its present state, at `rate`
+/// (1/s) and the homologous temperature T*. Never negative.
+template <class T>
+T damage_growth(const Damage<T> &damage, const MaterialPoint<T> &point, T increment, T rate, T homologous) {
+  switch (damage.law) {
+  case DamageLaw::johnson_cook: {
+    // Beyond 10 either way nothing changes, and molten metal has no equivalent stress to divide by.
+    const T q = std::max(von_mises(point.deviator), T(1));
+    const T triaxiality = std::clamp(-point.pressure / q, T(-10), T(10));
+    return increment / failure_strain(damage.failure_strain, triaxiality, rate, homologous);
+  }
+  case DamageLaw::cockcroft_latham:
+    return increment * std::max(T(0), largest_principal_stress(point.deviator, point.pressure)) / damage.critical_work;
+  case DamageLaw::none:
+    break;
+  }
+  return T(0);
+}
+
+} // namespace ogive

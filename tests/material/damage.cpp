@@ -1,0 +1,234 @@
+#include "catch.hpp"
+
+#include "ogive/material/library.hpp"
+#include "ogive/material/stress_update.hpp"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+using namespace ogive;
+
+namespace {
+
+using Steel = Metal<double, ModifiedJohnsonCook<double>>;
+
+/// Weldox 460 E that keeps its temperature, with damage that shows as `effect`.
+Steel isothermal(DamageLaw law, FailureEffect effect = FailureEffect::none) {
+  auto metal = library::weldox_460e_mjc<double>();
+  metal.specific_heat = 0;
+  metal.damage.law = law;
+  metal.damage.effect = effect;
+  return metal;
+}
+
+/// The velocity gradient of pure deviatoric stretching along x at the equivalent rate `rate` (1/s).
+Mat3<double> stretching(double rate) {
+  Mat3<double> L = Mat3<double>::Zero();
+  L.diagonal() << rate, -0.5 * rate, -0.5 * rate;
+  return L;
+}
+
+/// Stretches a point at the equivalent rate `rate`, by `strain`, in steps of `dt`, and swells it so that its
+/// triaxiality is `triaxiality` after each step.
+void stretch(const Steel &metal, MaterialPoint<double> &p, double triaxiality, double rate, double strain, double dt) {
+  const double bulk = bulk_modulus(metal.elasticity);
+  for (int i = 0; i < std::lround(strain / (rate * dt)); ++i) {
+    Mat3<double> L = stretching(rate);
+    // The density that the linear law answers with the pressure -triaxiality q, q of the step before.
+    const double wanted = metal.density * (1 - triaxiality * von_mises(p.deviator) / bulk);
+    L.diagonal().array() += std::log(p.density / wanted) / (3 * dt);
+    p = updated(metal, p, L, dt);
+  }
+}
+
+Sym3<double> turned(const Vec3<double> &principal, std::mt19937 &random) {
+  std::uniform_real_distribution<double> angle(0.0, 6.0);
+  Mat3<double> Q = Mat3<double>::Identity();
+  for (const auto &[i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
+    Mat3<double> R = Mat3<double>::Identity();
+    const double a = angle(random);
+    R(i, i) = R(j, j) = std::cos(a), R(i, j) = -std::sin(a), R(j, i) = std::sin(a);
+    Q = Q * R;
+  }
+  return rotated<double>({principal[0], principal[1], principal[2], 0, 0, 0}, Q);
+}
+
+} // namespace
+
+TEST_CASE("the largest principal stress is found in any direction", "[material]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> size(-1e9, 1e9);
+  for (int i = 0; i < 200; ++i) {
+    Vec3<double> principal(size(random), size(random), size(random));
+    if (i % 4 == 0) principal[1] = principal[0]; // uniaxial tension or compression on top of a pressure
+    const Sym3<double> s = turned(principal, random);
+    // The angle of two equal principal values is only known to the square root of round-off: 1e-8, and its cosine is
+    // flat or has slope 1 there.
+    CHECK(largest_principal_stress(deviator(s), -trace(s) / 3) == Approx(principal.maxCoeff()).margin(40));
+  }
+  CHECK(largest_principal_stress(Sym3<double>{}, 3e6) == -3e6);
+}
+
+TEST_CASE("at constant triaxiality, rate and temperature a point fails at the strain of Eq. 4", "[material]") {
+  auto metal = isothermal(DamageLaw::johnson_cook, FailureEffect::no_tension);
+  // Constants that make every factor of Eq. 4 count.
+  metal.damage.failure_strain = {0.05, 0.6, -1.5, -0.03, 1.2, 1.0};
+  const double triaxiality = GENERATE(-0.5, 0.0, 1.0 / 3.0, 1.5), rate = GENERATE(1e2, 1e4);
+  const double temperature = GENERATE(293.0, 1046.5);
+  auto p = initial_point(metal);
+  p.temperature = temperature;
+  const double dt = 1e-4 / rate;
+  // By hand: [0.05 + 0.6 exp(-1.5 eta)] rate^-0.03 [1 + 1.2 T*], with T* = 0 and 0.5.
+  const double expected =
+      (0.05 + 0.6 * std::exp(-1.5 * triaxiality)) * std::pow(rate, -0.03) * (temperature == 293 ? 1.0 : 1 + 1.2 * 0.5);
+  while (p.damage < 1) stretch(metal, p, triaxiality, rate, 1e-4, dt);
+  // One step is 1e-4. The elastic strain (0.004) comes first, at the rate but without triaxiality; while hardening, the
+  // plastic rate lags the total one by up to slope/3G, a tenth right at yield: 0.3 % of a rate^-0.03.
+  CHECK(p.plastic_strain == Approx(expected).epsilon(4e-3).margin(2e-4));
+  CHECK(von_mises(p.deviator) == 0.0);
+}
+
+TEST_CASE("Cockcroft-Latham damage is the work of the largest principal stress", "[material]") {
+  auto metal = isothermal(DamageLaw::cockcroft_latham);
+  metal.flow.B = 0;
+  metal.flow.C = 0;
+  metal.damage.critical_work = 800e6;
+  const double q = metal.flow.A;
+  auto p = initial_point(metal);
+  SECTION("stretching at a triaxiality: sigma_1 = (eta + 2/3) q") {
+    const double eta = GENERATE(-0.5, 0.0, 1.0 / 3.0, 1.0);
+    stretch(metal, p, eta, 1e3, 0.4, 1e-7);
+    // The triaxiality is that of the step before: 1e-4 of the strain; the first steps are elastic.
+    CHECK(p.damage == Approx((eta + 2.0 / 3.0) * q * p.plastic_strain / 800e6).epsilon(1e-3));
+  }
+  SECTION("simple shear: sigma_1 = q/sqrt(3)") {
+    Mat3<double> L = Mat3<double>::Zero();
+    L(0, 1) = 1e4 * std::sqrt(3.0);
+    for (int i = 0; i < 3000; ++i) p = updated(metal, p, L, 1e-8);
+    // Second-order terms of the step's rotation leave a pressure of 1e-4 q.
+    CHECK(p.damage == Approx(q / std::sqrt(3.0) * p.plastic_strain / 800e6).epsilon(1e-3));
+  }
+  SECTION("compression does no damage") {
+    stretch(metal, p, -1.0, 1e3, 0.4, 1e-7); // sigma_1 = -q/3
+    CHECK(p.plastic_strain > 0.39);
+    // Only the first steps, before the pressure has followed the stress: 1e-3 of the strain.
+    CHECK(p.damage < 1e-3);
+  }
+}
+
+TEST_CASE("on a path through different triaxialities the parts of the failure strains add up", "[material]") {
+  const auto metal = isothermal(DamageLaw::johnson_cook);
+  const auto &f = metal.damage.failure_strain;
+  const double rate = 1e3;
+  auto p = initial_point(metal);
+  double expected = 0, before = 0;
+  // A neck: smooth tension, then a notch that gets sharper, then unloading into shear.
+  for (const auto &[triaxiality, strain] :
+       std::array<std::array<double, 2>, 4>{{{1.0 / 3.0, 0.15}, {0.8, 0.1}, {1.4, 0.05}, {0.0, 0.2}}}) {
+    stretch(metal, p, triaxiality, rate, strain, 1e-7);
+    expected += (p.plastic_strain - before) / failure_strain(f, triaxiality, rate, 0.0);
+    before = p.plastic_strain;
+  }
+  // The rate within a percent while the flow stress follows a new pressure; rate^-0.0123.
+  CHECK(p.damage == Approx(expected).epsilon(1e-3));
+}
+
+TEST_CASE("damage never falls", "[material]") {
+  const auto law = GENERATE(DamageLaw::johnson_cook, DamageLaw::cockcroft_latham);
+  const auto effect = GENERATE(FailureEffect::none, FailureEffect::no_tension, FailureEffect::removal);
+  auto metal = library::aa5083_h116_mjc<double>();
+  metal.damage.law = law;
+  metal.damage.effect = effect;
+  std::mt19937 random(3);
+  std::normal_distribution<double> rate(0.0, 3e4);
+  auto p = initial_point(metal);
+  int failures = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Mat3<double> L;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) L(r, c) = rate(random);
+    L.diagonal().array() -= L.trace() / 3 + 1e8 * std::log(metal.density / p.density) / 30; // keeps its volume
+    const auto next = updated(metal, p, L, 1e-7);
+    if (!(next.damage >= p.damage)) ++failures;
+    p = next;
+  }
+  CHECK(failures == 0);
+  CHECK(p.damage > 1);
+}
+
+TEST_CASE("a failed point bears pressure only, a removed one nothing", "[material]") {
+  const auto effect = GENERATE(FailureEffect::no_tension, FailureEffect::removal);
+  auto metal = isothermal(DamageLaw::johnson_cook, effect);
+  metal.damage.failure_strain = {0.1, 0, 0, 0, 0, 1};
+  auto p = initial_point(metal), before = p;
+  const double dt = 1e-8, rate = 1e4;
+  const Mat3<double> L = stretching(rate) + 0.02 * rate * Mat3<double>::Identity();
+  while (p.damage < 1) before = p, p = updated(metal, p, L, dt);
+  CHECK(before.pressure < 0);
+  CHECK(von_mises(p.deviator) == 0.0);
+  CHECK(p.pressure == 0.0);
+  // Trapezoidal rule: half a step's work of the stress it had, then none. The rate at the middle of the step differs by
+  // 1e-4 of itself.
+  const auto D = symmetric_part<double>(L);
+  const double half_work = 0.5 * dt * (double_dot(before.deviator, D) - before.pressure * trace(D)) / before.density;
+  CHECK(p.internal_energy - before.internal_energy == Approx(half_work).epsilon(1e-3));
+
+  auto opened = p;
+  for (int i = 0; i < 1000; ++i) opened = updated(metal, opened, L, dt);
+  CHECK(opened.pressure == 0.0);
+  CHECK(opened.plastic_strain == p.plastic_strain);
+  CHECK(opened.internal_energy == p.internal_energy);
+
+  for (int i = 0; i < 4000; ++i) p = updated(metal, p, Mat3<double>(-rate * Mat3<double>::Identity()), dt);
+  CHECK(von_mises(p.deviator) == 0.0);
+  if (effect == FailureEffect::removal) {
+    CHECK(p.pressure == 0.0);
+  } else {
+    CHECK(p.density > metal.density);
+    CHECK(p.pressure == Approx(bulk_modulus(metal.elasticity) * (p.density / metal.density - 1)));
+    CHECK(p.internal_energy > opened.internal_energy);
+  }
+}
+
+TEST_CASE("without effect, damage changes nothing but itself", "[material]") {
+  const auto sound = isothermal(DamageLaw::none), counted = isothermal(DamageLaw::johnson_cook);
+  auto a = initial_point(sound), b = initial_point(counted);
+  const Mat3<double> L = stretching(1e4) + 300 * Mat3<double>::Identity();
+  for (int i = 0; i < 20000; ++i) a = updated(sound, a, L, 1e-8), b = updated(counted, b, L, 1e-8);
+  CHECK(b.damage > 1);
+  CHECK(a.damage == 0.0);
+  CHECK(a.pressure == b.pressure);
+  CHECK(a.deviator.xx == b.deviator.xx);
+  CHECK(a.internal_energy == b.internal_energy);
+}
+
+TEST_CASE("the critical work of slow tension fails a bar at the strain of Eq. 4", "[material]") {
+  auto metal = isothermal(DamageLaw::cockcroft_latham);
+  metal.damage.failure_strain = {0.1, 0.4, -0.5, -0.01, 0, 1};
+  metal.damage.critical_work = critical_work_of_tension(metal);
+  const double expected = 0.1 + 0.4 * std::exp(-0.5 / 3);
+  // In closed form at 1/s: A e + B e^(a+1)/(a+1).
+  const auto &law = metal.flow;
+  CHECK(metal.damage.critical_work ==
+        Approx(law.A * expected + law.B * std::pow(expected, law.a + 1) / (law.a + 1)).epsilon(1e-6));
+  auto p = initial_point(metal);
+  while (p.damage < 1) stretch(metal, p, 1.0 / 3.0, 1.0, 1e-4, 1e-4);
+  // sigma_1 = q in smooth tension; the elastic strain comes before the triaxiality.
+  CHECK(p.plastic_strain == Approx(expected).epsilon(2e-3));
+}
+
+TEST_CASE("damage with impossible constants is refused by name", "[material]") {
+  auto metal = library::weldox_460e_mjc<double>();
+  metal.damage.law = DamageLaw::cockcroft_latham;
+  metal.damage.critical_work = 0;
+  CHECK_THROWS_WITH(check(metal), Catch::Contains("weldox_460e critical work") && Catch::Contains("must be positive"));
+  metal.damage.law = DamageLaw::johnson_cook;
+  check(metal);
+  metal.damage.failure_strain.D3 = std::nan("");
+  CHECK_THROWS_WITH(check(metal), Catch::Contains("weldox_460e D3"));
+  metal.damage.failure_strain = {};
+  CHECK_THROWS_WITH(check(metal), Catch::Contains("weldox_460e D1 and D2"));
+  metal.damage.failure_strain = {1, 0, 0, 0, 0, 0};
+  CHECK_THROWS_WITH(check(metal), Catch::Contains("reference rate"));
+}
