@@ -23,6 +23,9 @@ one wendland 'Wendland C2 kernel' --kernel wendland_c2
 one variable 'variable smoothing length' --smoothing variable
 one b_bar 'hexes with 2×2×2 points' --element selective_reduced
 one jc 'classical Johnson–Cook' --model jc
+one damage_jc 'damage by Eq. 4, failed particles without tension' --damage jc
+one damage_jc_removal 'the same, failed particles removed' --damage jc --failure removal
+one damage_cl 'damage by Cockcroft–Latham, failed particles without tension' --damage cockcroft_latham
 one mie_gruneisen 'Mie–Grüneisen pressure' --pressure mie_gruneisen
 one radius_18 'disc of particles 18 mm in radius' --sph-radius-mm 18
 one clamp_150 'clamp at 150 mm' --clamp-radius-mm 150

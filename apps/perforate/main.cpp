@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include "ogive/io/write_error.hpp"
+#include "options_material.hpp"
 
 #include <omp.h>
 
@@ -15,11 +16,12 @@ int run(int argc, const char *const *argv) {
   using namespace perforate;
   const auto options = parse(argc, argv, std::cout);
   if (!options) return success;
+  const auto plate = plate_of(*options);
   prepare_out(*options);
   if (options->threads) omp_set_num_threads(*options->threads);
 
   const auto test = find_test(*options);
-  const Shot shot = shoot(*options);
+  const Shot shot = shoot(*options, plate);
   print_table(*options, shot, test);
   write_summary(*options, shot, test);
   const std::string left_out = draw(*options, shot, test);

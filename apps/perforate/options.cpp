@@ -1,9 +1,8 @@
 #include "options.hpp"
 
 #include "ogive/version.hpp"
+#include "options_material.hpp"
 #include "options_table.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <map>
 #include <ostream>
@@ -20,78 +19,48 @@ std::string origin_of(const Origins &origins, const std::string &key) {
   return found == origins.end() ? flag_of(key) : found->second;
 }
 
-[[noreturn]] void refuse_given(const Given &given, const std::string &allowed) {
-  const bool quoted = given.kind == Given::text;
-  refuse(given.where, quoted ? '"' + given.value + '"' : given.value, allowed);
-}
-
 /// What a value of this option may be, to complete "must be" or "needs a value:".
 std::string allowed_text(const Entry &entry, double) { return "a number between " + text_of(entry.limits); }
 std::string allowed_text(const Entry &entry, const std::optional<int> &) {
   return "a whole number between " + text_of(entry.limits);
 }
 std::string allowed_text(const Entry &, const std::filesystem::path &) { return "the name of a folder"; }
+std::string allowed_text(const Entry &, const std::string &) { return allowed_materials(); }
 std::string allowed_text(const Entry &, bool) { return "true or false"; }
 template <class E> std::string allowed_text(const Entry &, E kind) { return "one of " + choice_names(kind); }
 
-/// A number from all of `text`; infinity where it is too large for one.
-std::optional<double> number_from(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (end != text.data() + text.size() || text.empty()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) return std::numeric_limits<double>::infinity();
-  if (error != std::errc{}) return std::nullopt;
-  return number;
-}
-
-bool within(const Limits &limits, double number) { return number >= limits.low && number <= limits.high; }
-
-bool is_number(const Given &given) {
-  return given.kind == Given::untyped || given.kind == Given::number || given.kind == Given::integer;
-}
-
 void assign(const Entry &entry, double &value, const Given &given) {
-  const auto number = is_number(given) ? number_from(given.value) : std::nullopt;
-  if (!number) {
-    const std::string hint = *entry.limits.unit == 0 ? "" : ", written without the unit";
-    refuse_given(given, "must be " + allowed_text(entry, value) + hint);
-  }
-  if (!within(entry.limits, *number)) refuse_given(given, "must lie between " + text_of(entry.limits));
-  value = *number;
+  value = input::number_within(given, entry.limits);
 }
 
 void assign(const Entry &entry, std::optional<int> &value, const Given &given) {
-  const auto number = is_number(given) ? number_from(given.value) : std::nullopt;
-  if (!number || *number != std::floor(*number) || !within(entry.limits, *number))
-    refuse_given(given, "must be " + allowed_text(entry, value));
+  const auto number = input::number_given(given);
+  if (!number || *number != std::floor(*number) || !input::within(entry.limits, *number))
+    refuse(given, "must be " + allowed_text(entry, value));
   value = static_cast<int>(*number);
 }
 
 void assign(const Entry &entry, bool &value, const Given &given) {
   const bool may_be = given.kind == Given::untyped || given.kind == Given::boolean;
   if (!may_be || (given.value != "true" && given.value != "false"))
-    refuse_given(given, "must be " + allowed_text(entry, value));
+    refuse(given, "must be " + allowed_text(entry, value));
   value = given.value == "true";
 }
 
 void assign(const Entry &entry, std::filesystem::path &value, const Given &given) {
-  const bool may_be = given.kind == Given::untyped || given.kind == Given::text;
-  const bool one_line =
-      std::none_of(given.value.begin(), given.value.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-  if (!may_be || given.value.empty() || !one_line)
-    refuse_given(given, "must be " + allowed_text(entry, value) + ", on one line");
-  value = given.value;
+  value = input::line_given(given, allowed_text(entry, value));
 }
 
-template <class E> void assign(const Entry &entry, E &value, const Given &given) {
-  const bool may_be = given.kind == Given::untyped || given.kind == Given::text;
-  for (const auto &choice : choices(value)) {
-    if (!may_be || given.value != choice.name) continue;
-    value = choice.value;
-    return;
-  }
-  refuse_given(given, "must be " + allowed_text(entry, value));
+/// The one option that is a text is the material.
+void assign(const Entry &entry, std::string &value, const Given &given) {
+  const std::string material = input::line_given(given, allowed_text(entry, value));
+  if (!is_material_file(material) && find_library_metal(material) == nullptr)
+    refuse(given, "must be " + allowed_text(entry, value));
+  value = material;
+}
+
+template <class E> void assign(const Entry &, E &value, const Given &given) {
+  value = input::choice_given(given, choices(value));
 }
 
 /// Puts one given value into the options.
@@ -102,82 +71,34 @@ void apply(Options &options, Origins &origins, const Given &given) {
   origins[given.key] = given.where;
 }
 
-/// What the command line says, the last one of each flag.
-struct CommandLine {
-  bool help = false;
-  bool version = false;
-  std::optional<std::string> config;
-  std::vector<Given> given;
-};
-
-/// Throws the error for a flag without a value.
-[[noreturn]] void refuse_missing(const std::string &flag, const std::string &allowed) {
-  throw ogive::SetupError(printable(flag) + ": needs a value: " + allowed);
-}
-
-CommandLine read_command_line(int argc, const char *const *argv) {
-  CLI::App app;
-  app.set_help_flag();
-  app.allow_extras();
-  const auto *help_flag = app.add_flag("--help,-h");
-  const auto *version_flag = app.add_flag("--version");
-
-  // CLI11 takes the command line apart; values are checked here, where the limits are known.
-  struct Flag {
-    std::string key, name, allowed;
-    const CLI::Option *option;
-  };
-  std::vector<Flag> flags;
-  const auto add_valued = [&](const std::string &key, const std::string &allowed) {
-    const auto *option = app.add_option(flag_of(key))->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    flags.push_back({key, flag_of(key), allowed, option});
-  };
+/// The flags of all options.
+std::vector<input::Flag> flags() {
+  std::vector<input::Flag> all;
   Options defaults;
   for_each_option(defaults, [&]<class V>(const Entry &entry, V &value) {
-    const std::string name = flag_of(entry.key);
-    if constexpr (std::is_same_v<V, bool>) {
-      const auto *option = app.add_flag(name + ",!--no-" + name.substr(2));
-      flags.push_back({entry.key, name, allowed_text(entry, value), option});
-    } else {
-      add_valued(entry.key, allowed_text(entry, value));
-    }
+    all.push_back(
+        {entry.key, allowed_text(entry, value), std::is_same_v<V, bool> ? input::Flag::none : input::Flag::one});
   });
-  add_valued("config", "the name of a TOML file");
+  return all;
+}
 
-  // CLI11 would take a following flag as the value.
-  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    for (const Flag &flag : flags)
-      if (arguments[i] == flag.name + "=" ||
-          (arguments[i] == flag.name && flag.option->get_items_expected_min() > 0 &&
-           (i + 1 == arguments.size() || arguments[i + 1].empty() || arguments[i + 1].starts_with("--"))))
-        refuse_missing(flag.name, flag.allowed);
+/// Takes the model of a material file and checks that it has the constants that the options need. Throws SetupError.
+void settle_material(Options &o, const Origins &origins) {
+  const auto plate = read_metal(o, origin_of(origins, "material"));
+  const FlowModel model = material_file::model_of(plate);
+  if (o.model != model && origins.contains("model"))
+    refuse(origin_of(origins, "model"), choice_name(o.model),
+           "contradicts " + printable(o.material) + ", which has model = " + choice_name(model));
+  o.model = model;
 
-  std::reverse(arguments.begin(), arguments.end());
-  try {
-    app.parse(std::move(arguments));
-  } catch (const CLI::ParseError &error) {
-    throw ogive::SetupError(printable(error.what()));
-  }
-
-  CommandLine line;
-  line.help = help_flag->count() > 0;
-  line.version = version_flag->count() > 0;
-  if (line.help || line.version) return line;
-  for (const auto &extra : app.remaining()) {
-    const bool looks_like_flag = extra.starts_with("-");
-    throw ogive::SetupError(printable(extra) + (looks_like_flag ? ": unknown option" : ": unexpected argument") +
-                            ", perforate --help lists what is allowed");
-  }
-  for (const Flag &flag : flags) {
-    if (flag.option->count() == 0) continue;
-    const std::string value = flag.option->results().back();
-    if (flag.key == "config")
-      line.config = value;
-    else
-      line.given.push_back({flag.key, flag.name, value});
-  }
-  return line;
+  using material_file::Group;
+  const auto need = [&](const char *key, auto choice, Group group) {
+    if (!has(plate, group))
+      refuse(origin_of(origins, key), choice_name(choice), "needs " + keys_of(group) + " in " + printable(o.material));
+  };
+  if (o.pressure == PressureLaw::mie_gruneisen) need("pressure", o.pressure, Group::shock);
+  if (o.damage == DamageLaw::johnson_cook) need("damage", o.damage, Group::strain);
+  if (o.damage == DamageLaw::cockcroft_latham) need("damage", o.damage, Group::work);
 }
 
 /// Checks what belongs together.
@@ -185,6 +106,8 @@ void check(const Options &o, const Origins &origins) {
   const auto refuse_value = [&](const char *key, double value, const std::string &allowed) {
     refuse(origin_of(origins, key), shortest(value), allowed);
   };
+  if (o.damage == DamageLaw::none && o.failure != FailureEffect::none)
+    refuse(origin_of(origins, "failure"), choice_name(o.failure), "needs --damage jc or --damage cockcroft_latham");
   if (o.spacing_mm > o.thickness_mm / 2)
     refuse_value("spacing_mm", o.spacing_mm,
                  "must be at most half the thickness of the plate, " + shortest(o.thickness_mm / 2) + " mm");
@@ -202,16 +125,15 @@ void check(const Options &o, const Origins &origins) {
 
 } // namespace
 
-double default_friction(Nose nose, PlateMaterial material) {
-  if (nose == Nose::blunt) return 0;
-  return material == PlateMaterial::weldox_460e ? 0.08 : 0.02;
+FailureEffect default_failure(DamageLaw damage) {
+  return damage == DamageLaw::none ? FailureEffect::none : FailureEffect::no_tension;
 }
 
 double default_end_us(Nose nose) { return nose == Nose::blunt ? 500 : 1500; }
 
 std::filesystem::path default_out(const Options &o) {
   return std::filesystem::path("vtk_out") /
-         (choice_name(o.material) + "_" + choice_name(o.model) + "_" + choice_name(o.nose) + "_" +
+         (label_of(o.material) + "_" + choice_name(o.model) + "_" + choice_name(o.nose) + "_" +
           shortest(o.thickness_mm) + "mm_" + shortest(o.velocity_mps) + "mps");
 }
 
@@ -222,19 +144,28 @@ double estimated_particles(const Options &o) {
 }
 
 std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text) {
-  const CommandLine line = read_command_line(argc, argv);
+  const auto line = input::read_command_line("perforate", flags(), argc, argv);
+  const bool list = std::any_of(line.given.begin(), line.given.end(),
+                                [](const Given &given) { return given.key == "material" && given.value == "list"; });
   if (line.help)
     text << help();
   else if (line.version)
     text << "perforate " << ogive::version << "\n";
-  if (line.help || line.version) return std::nullopt;
+  else if (list)
+    text << library_list();
+  if (line.help || line.version || list) return std::nullopt;
 
   Options options;
   Origins origins;
-  if (line.config)
+  if (line.config) {
     for (const Given &given : read_toml(*line.config)) apply(options, origins, given);
+    if (is_material_file(options.material))
+      options.material = (std::filesystem::path(*line.config).parent_path() / options.material).string();
+  }
   for (const Given &given : line.given) apply(options, origins, given);
 
+  settle_material(options, origins);
+  if (!origins.contains("failure")) options.failure = default_failure(options.damage);
   if (!origins.contains("friction")) options.friction = default_friction(options.nose, options.material);
   if (!origins.contains("end_us")) options.end_us = default_end_us(options.nose);
   if (!origins.contains("out")) options.out = default_out(options);
@@ -242,7 +173,7 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
   return options;
 }
 
-std::string name_of(PlateMaterial material) { return choice_name(material); }
-std::string name_of(FlowModel model) { return choice_name(model); }
+std::string name_of(DamageLaw damage) { return choice_name(damage); }
+std::string name_of(FailureEffect failure) { return choice_name(failure); }
 
 } // namespace perforate

@@ -3,8 +3,10 @@
 #include "ogive/core/error.hpp"
 #include "ogive/core/symmetry.hpp"
 #include "ogive/fem/projectile_shape.hpp"
+#include "ogive/material/damage.hpp"
 #include "ogive/material/equation_of_state.hpp"
 #include "ogive/perforation/case.hpp"
+#include "shared/material_file.hpp"
 
 #include <filesystem>
 #include <iosfwd>
@@ -16,17 +18,14 @@
 
 namespace perforate {
 
+using FlowModel = material_file::Model;
+using ogive::DamageLaw;
 using ogive::Extent;
+using ogive::FailureEffect;
 using ogive::Lattice;
 using ogive::Nose;
 using ogive::PressureLaw;
 
-enum class PlateMaterial {
-  weldox_460e,     ///< steel
-  aa5083_h116,     ///< aluminium: plates of 15, 20 and 30 mm
-  aa5083_h116_25mm ///< aluminium: the weaker plate of 25 mm
-};
-enum class FlowModel { mjc, jc };
 enum class ProjectileKind { deformable, rigid };
 enum class SphForm { renormalised, standard };
 enum class SphKernel { cubic_spline, wendland_c2 };
@@ -35,8 +34,10 @@ enum class ElementRule { one_point, selective_reduced };
 
 /// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
 struct Options {
-  PlateMaterial material = PlateMaterial::weldox_460e;
-  FlowModel model = FlowModel::mjc;
+  std::string material = "weldox_460e"; ///< a name of the library, or a file that ends in .toml
+  FlowModel model = FlowModel::mjc;     ///< parse() takes the file's where the material is one
+  DamageLaw damage = DamageLaw::none;
+  FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
   double thickness_mm = 12;
   double clamp_radius_mm = 250;
 
@@ -74,21 +75,26 @@ inline constexpr double most_particles = 50e6;
 
 /// Coulomb friction of the paper: 0 for blunt noses; for the others 0.08 on steel and 0.02 on aluminium. The paper
 /// gives it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the rest follows the
-/// plate.
-double default_friction(Nose nose, PlateMaterial material);
+/// plate, and the metal of a file is taken for steel.
+double default_friction(Nose nose, const std::string &material);
+
+/// What failure does unless the user says so: no tension where damage grows. Our choice.
+FailureEffect default_failure(DamageLaw damage);
 
 /// Time at which a run ends, us: sharp noses take longer to pass the plate. Our choice.
 double default_end_us(Nose nose);
 
-/// vtk_out/<material>_<model>_<nose>_<thickness>mm_<velocity>mps
+/// vtk_out/<material, or the stem of its file>_<model>_<nose>_<thickness>mm_<velocity>mps
 std::filesystem::path default_out(const Options &options);
 
 /// Number of particles that a case will have, up to the edge of the disc.
 double estimated_particles(const Options &options);
 
-/// Reads the command line (argv[0] is skipped) and the TOML file that --config names; the command line wins. Returns
-/// nothing if --help or --version was asked for and has been written to `text`. Throws ogive::SetupError, one line that
-/// names the option (or file, line and key), the value and what is allowed. Touches no file but --config's.
+/// Reads the command line (argv[0] is skipped) and the TOML file that --config names; the command line wins. The name
+/// of a material file counts from the folder of the TOML file, or on the command line from the current one. Returns
+/// nothing if --help, --version or --material list was asked for and has been written to `text`. Throws
+/// ogive::SetupError, one line that names the option (or file, line and key), the value and what is allowed. Reads the
+/// material file to check it, and touches no other.
 std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text);
 
 /// A TOML file that runs the same case with --config.
@@ -103,7 +109,7 @@ std::string help();
 void prepare_out(const Options &options);
 
 /// The names of the choices, as the user writes them.
-std::string name_of(PlateMaterial material);
-std::string name_of(FlowModel model);
+std::string name_of(DamageLaw damage);
+std::string name_of(FailureEffect failure);
 
 } // namespace perforate

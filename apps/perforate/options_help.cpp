@@ -1,18 +1,20 @@
 #include "options.hpp"
+#include "options_material.hpp"
 #include "options_table.hpp"
 
 namespace perforate {
 
 namespace {
 
-constexpr std::size_t text_column = 28;
-constexpr std::size_t width = 100;
+using input::help_item;
 
 std::string shown(double value) { return shortest(value); }
+std::string shown(const std::string &value) { return value; }
 std::string shown(bool value) { return value ? "yes" : "no"; }
 template <class E> std::string shown(E value) { return choice_name(value); }
 
 std::string placeholder(double) { return " X"; }
+std::string placeholder(const std::string &) { return " NAME|FILE.toml"; }
 std::string placeholder(bool) { return ""; }
 std::string placeholder(const std::optional<int> &) { return " N"; }
 std::string placeholder(const std::filesystem::path &) { return " FOLDER"; }
@@ -22,27 +24,10 @@ std::string allowed(const Entry &entry, double) { return "; " + text_of(entry.li
 std::string allowed(const Entry &entry, const std::optional<int> &) { return "; " + text_of(entry.limits, " to "); }
 std::string allowed(const Entry &entry, bool) { return "; --no-" + flag_of(entry.key).substr(2) + " for not"; }
 std::string allowed(const Entry &, const std::filesystem::path &) { return ""; }
-template <class E> std::string allowed(const Entry &, E kind) { return ": " + choice_names(kind); }
-
-/// A flag and its text, broken at blanks and indented.
-std::string item(const std::string &flag, const std::string &text) {
-  std::string lines = "  " + flag;
-  lines.resize(std::max(text_column, lines.size() + 1), ' ');
-  std::size_t column = lines.size();
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (column + end - begin > width) {
-      lines.back() = '\n';
-      lines.append(text_column, ' ');
-      column = text_column;
-    }
-    lines += text.substr(begin, end - begin) + " ";
-    column += end - begin + 1;
-    begin = end + 1;
-  }
-  lines.back() = '\n';
-  return lines;
+std::string allowed(const Entry &, const std::string &) {
+  return ": " + allowed_materials() + "; \"list\" prints all constants of the library";
 }
+template <class E> std::string allowed(const Entry &, E kind) { return ": " + choice_names(kind); }
 
 /// The default and its source; where the default depends on other options the source says all.
 template <class V> std::string default_text(const Entry &entry, const V &value) {
@@ -65,17 +50,18 @@ std::string help() {
   for_each_option(defaults, [&](const Entry &entry, auto &value) {
     if (group != entry.group) text += std::string("\n") + entry.group + ":\n";
     group = entry.group;
-    text += item(flag_of(entry.key) + placeholder(value),
-                 entry.meaning + allowed(entry, value) + default_text(entry, value));
+    text += help_item(flag_of(entry.key) + placeholder(value),
+                      entry.meaning + allowed(entry, value) + default_text(entry, value));
   });
   text += "\nGeneral:\n";
-  text += item("--config FILE.toml", "read options from FILE.toml, under the names of the flags with underscores "
-                                     "(thickness_mm = 12.0); the command line overrides them");
-  text += item("--version", "print the version");
-  text += item("--help", "print this text");
+  text += help_item("--config FILE.toml", "read options from FILE.toml, under the names of the flags with underscores "
+                                          "(thickness_mm = 12.0); the command line overrides them");
+  text += help_item("--version", "print the version");
+  text += help_item("--help", "print this text");
   text += "\nExamples:\n"
           "  perforate\n"
           "  perforate --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 214\n"
+          "  perforate --material my_steel.toml --thickness-mm 10 --damage jc\n"
           "  perforate --config vtk_out/my_case/case.toml --velocity-mps 250 --out vtk_out/my_case_250\n"
           "\nExit status: 0 done; 2 wrong input, nothing was run or overwritten; 3 stopped by a fault in the\n"
           "run or by a file that could not be written, after a last frame; 1 anything else.\n";

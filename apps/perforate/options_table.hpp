@@ -2,9 +2,12 @@
 
 #include "options.hpp"
 
+#include "shared/command_line.hpp"
+#include "shared/input.hpp"
+#include "shared/material_keys.hpp"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -17,12 +20,14 @@
 
 namespace perforate {
 
-/// What a number may be.
-struct Limits {
-  double low = 0;
-  double high = 0;
-  const char *unit = "";
-};
+using input::Choice;
+using input::flag_of;
+using input::Given;
+using input::Limits;
+using input::printable;
+using input::refuse;
+using input::shortest;
+using input::text_of;
 
 /// One option. Its flag is `key` with hyphens and two in front.
 struct Entry {
@@ -33,20 +38,7 @@ struct Entry {
   Limits limits{};    ///< of numbers only
 };
 
-/// A choice and its name.
-template <class E> struct Choice {
-  E value{};
-  std::string_view name{};
-};
-
-constexpr auto choices(PlateMaterial) {
-  return std::to_array<Choice<PlateMaterial>>({{PlateMaterial::weldox_460e, "weldox_460e"},
-                                               {PlateMaterial::aa5083_h116, "aa5083_h116"},
-                                               {PlateMaterial::aa5083_h116_25mm, "aa5083_h116_25mm"}});
-}
-constexpr auto choices(FlowModel) {
-  return std::to_array<Choice<FlowModel>>({{FlowModel::mjc, "mjc"}, {FlowModel::jc, "jc"}});
-}
+constexpr auto choices(FlowModel) { return material_file::models; }
 inline auto choices(Nose) {
   std::array<Choice<Nose>, ogive::all_noses.size()> noses;
   std::transform(ogive::all_noses.begin(), ogive::all_noses.end(), noses.begin(), [](Nose nose) {
@@ -83,19 +75,20 @@ constexpr auto choices(PressureLaw) {
       {{PressureLaw::linear, "linear"}, {PressureLaw::mie_gruneisen, "mie_gruneisen"}});
 }
 
-/// Name of a choice.
-template <class E> std::string choice_name(E value) {
-  for (const auto &choice : choices(value))
-    if (choice.value == value) return std::string(choice.name);
-  return "";
+constexpr auto choices(DamageLaw) {
+  return std::to_array<Choice<DamageLaw>>(
+      {{DamageLaw::none, "none"}, {DamageLaw::johnson_cook, "jc"}, {DamageLaw::cockcroft_latham, "cockcroft_latham"}});
+}
+constexpr auto choices(FailureEffect) {
+  return std::to_array<Choice<FailureEffect>>(
+      {{FailureEffect::none, "none"}, {FailureEffect::no_tension, "no_tension"}, {FailureEffect::removal, "removal"}});
 }
 
+/// Name of a choice.
+template <class E> std::string choice_name(E value) { return input::name_in(choices(value), value); }
+
 /// All names of a kind of choice, separated by commas.
-template <class E> std::string choice_names(E kind) {
-  std::string names;
-  for (const auto &choice : choices(kind)) names.append(names.empty() ? "" : ", ").append(choice.name);
-  return names;
-}
+template <class E> std::string choice_names(E kind) { return input::names_in(choices(kind)); }
 
 /// Most threads that may be asked for.
 inline double most_threads() { return std::max(64.0, 4.0 * std::thread::hardware_concurrency()); }
@@ -104,7 +97,11 @@ inline double most_threads() { return std::max(64.0, 4.0 * std::thread::hardware
 template <class O, class F> void for_each_option(O &o, F &&f) {
   const char *const plate = "Plate";
   f(Entry{plate, "material", "of the plate", "paper"}, o.material);
-  f(Entry{plate, "model", "flow stress, modified or classical Johnson-Cook", "paper"}, o.model);
+  f(Entry{plate, "model", "flow stress, modified or classical Johnson-Cook; FILE.toml says its own", "paper"}, o.model);
+  f(Entry{plate, "damage", "how damage grows, by D1 to D5 or by critical_work_MPa of the material", "paper"}, o.damage);
+  f(Entry{plate, "failure", "what comes of damage 1, neither shear nor tension or no force at all",
+          "none without --damage, else no_tension: ours"},
+    o.failure);
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);
   f(Entry{plate, "clamp_radius_mm", "radius at which the plate is clamped", "tests", {12, 2000, "mm"}},
     o.clamp_radius_mm);
@@ -116,7 +113,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{projectile,
           "friction",
           "Coulomb friction between plate and projectile",
-          "0 blunt; else 0.08 on weldox_460e, 0.02 on aa5083_h116: paper",
+          "0 blunt; else 0.08 on weldox_460e and on FILE.toml, 0.02 on aa5083_h116: paper",
           {0, 2, ""}},
     o.friction);
 
@@ -152,52 +149,6 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{run, "threads", "OpenMP threads", "all: OMP_NUM_THREADS or the number of cores", {1, most_threads(), ""}},
     o.threads);
 }
-
-/// The flag of a key: thickness_mm is --thickness-mm.
-inline std::string flag_of(std::string_view key) {
-  std::string flag = "--" + std::string(key);
-  std::replace(flag.begin(), flag.end(), '_', '-');
-  return flag;
-}
-
-/// The shortest text that reads back as the same number.
-inline std::string shortest(double number) {
-  std::array<char, 32> digits{};
-  const double size = std::abs(number);
-  const bool plain = size == 0 || (size >= 1e-5 && size < 1e15);
-  const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, format).ptr;
-  return {digits.data(), end};
-}
-
-/// "0.5 and 100 mm", or with another word between.
-inline std::string text_of(const Limits &limits, const char *between = " and ") {
-  const std::string unit = *limits.unit == 0 ? "" : std::string(" ") + limits.unit;
-  return shortest(limits.low) + between + shortest(limits.high) + unit;
-}
-
-/// A value as text for messages: on one line and short, whatever the user typed.
-inline std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 160;
-  std::string line(text.substr(0, longest));
-  for (char &c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return text.size() > longest ? line + "..." : line;
-}
-
-/// Throws the one-line error "<what> = <value>: <allowed>".
-[[noreturn]] inline void refuse(const std::string &what, std::string_view value, const std::string &allowed) {
-  throw ogive::SetupError(printable(what) + " = " + printable(value) + ": " + allowed);
-}
-
-/// What the user gave for one option.
-struct Given {
-  enum Kind { untyped, number, integer, boolean, text, other };
-  std::string key;
-  std::string where; ///< the flag, or file, line and key
-  std::string value;
-  Kind kind = untyped; ///< the command line has only text, a TOML file has types
-};
 
 /// The entries of a TOML file. Throws SetupError if it cannot be read, is damaged or has unknown keys.
 std::vector<Given> read_toml(const std::string &file);

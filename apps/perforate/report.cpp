@@ -4,6 +4,7 @@
 #include "ogive/io/section_picture.hpp"
 #include "ogive/io/velocity_plot.hpp"
 #include "ogive/version.hpp"
+#include "options_material.hpp"
 
 #include <nlohmann/json.hpp>
 #include <omp.h>
@@ -25,7 +26,9 @@ bool perforated(const Shot &shot) {
 
 double residual_mps(const Shot &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
 
-Shot shoot(const Options &options) { return options.model == FlowModel::mjc ? shoot_mjc(options) : shoot_jc(options); }
+Shot shoot(const Options &options, const material_file::AnyMetal &plate) {
+  return std::visit([&](const auto &metal) { return shoot(options, metal); }, plate);
+}
 
 namespace {
 
@@ -52,31 +55,43 @@ const char *ending(const Shot &s) {
   }
 }
 
-std::string case_title(const Options &o) {
+std::string case_title(const Options &o, const Shot &s) {
   char sizes[64];
   std::snprintf(sizes, sizeof sizes, "%g mm, %g m/s", o.thickness_mm, o.velocity_mps);
-  return name_of(o.material) + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes;
+  return s.material + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes;
 }
 
 } // namespace
 
 std::optional<experiment::Residual> find_test(const Options &o) {
-  const std::string material = o.material == PlateMaterial::weldox_460e ? "Weldox 460 E" : "AA5083-H116";
-  return experiment::find_residual(PERFORATE_DATA_FOLDER, material, std::string(ogive::name(o.nose)), o.thickness_mm,
-                                   o.velocity_mps);
+  const LibraryMetal *metal = find_library_metal(o.material);
+  if (metal == nullptr) return std::nullopt;
+  return experiment::find_residual(PERFORATE_DATA_FOLDER, std::string(metal->test_name),
+                                   std::string(ogive::name(o.nose)), o.thickness_mm, o.velocity_mps);
 }
 
-void start_results(const Options &o) {
+void start_results(const Options &o, const material_file::AnyMetal &plate) {
   for (const char *name : {"summary.json", "history.csv", "section.png", "velocity.svg"}) {
     std::error_code ignored;
     std::filesystem::remove(o.out / name, ignored);
   }
-  ogive::write_atomically(o.out / "case.toml", to_toml(o));
+  const auto copy = o.out / "material.toml";
+  std::error_code missing;
+  if (!is_material_file(o.material) || !std::filesystem::equivalent(copy, o.material, missing))
+    ogive::write_atomically(
+        copy, material_file::to_toml(plate, "The metal of the plate in a run of perforate " +
+                                                std::string(ogive::version) + ", from " + o.material +
+                                                ".\nA copy with other numbers is a metal for --material."));
+  Options again = o;
+  // Counts from the folder of case.toml, so that the folder may move.
+  if (is_material_file(o.material)) again.material = copy.filename().string();
+  ogive::write_atomically(o.out / "case.toml", to_toml(again));
 }
 
-void announce(const Options &o, const Sizes &s) {
+void announce(const Options &o, const Shot &shot) {
   if (o.quiet) return;
-  std::printf("%s\n", case_title(o).c_str());
+  const Sizes &s = shot.sizes;
+  std::printf("%s\n", case_title(o, shot).c_str());
   std::printf("  particle distance   %.4f mm (%g asked for), %ld particles, %ld hexes\n", s.spacing_mm, o.spacing_mm,
               s.particles, s.hexes);
   std::printf("  projectile          %.2f g (197 g in the tests)", s.projectile_mass_g);
@@ -90,8 +105,10 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.state_hash));
   nlohmann::ordered_json j;
   j["version"] = ogive::version;
-  j["material"] = name_of(o.material);
+  j["material"] = s.material;
   j["model"] = name_of(o.model);
+  j["damage"] = name_of(o.damage);
+  j["failure"] = name_of(o.failure);
   j["nose"] = std::string(ogive::name(o.nose));
   j["projectile"] = o.projectile == ProjectileKind::rigid ? "rigid" : "deformable";
   j["thickness_mm"] = o.thickness_mm;
@@ -114,6 +131,8 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["plug_mass_g"] = s.fragments.plug_mass * 1e3;
   j["plug_velocity_mps"] = s.fragments.plug_velocity;
   j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
+  j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
+  j["failed_particles"] = s.fragments.failed;
   j["projectile_mass_g"] = s.sizes.projectile_mass_g;
   j["added_mass_g"] = s.sizes.added_mass_g;
   j["largest_intrusion_mm"] = s.intrusion_mm;
@@ -145,7 +164,7 @@ std::string draw(const Options &o, const Shot &s, const std::optional<experiment
     char when[64];
     std::snprintf(when, sizeof when, ": %.1f us, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
     ogive::SectionPicture picture;
-    picture.title = case_title(o) + when;
+    picture.title = case_title(o, s) + when;
     picture.bar_title = "plastic strain";
     const double low = std::min(-o.thickness_mm - 14, -s.flight.samples.back().nose * 1e3 - 14);
     picture.centre_z_mm = 0.5 * (low + 22);
@@ -154,7 +173,7 @@ std::string draw(const Options &o, const Shot &s, const std::optional<experiment
   });
   attempt([&] {
     ogive::VelocityPlot plot;
-    plot.title = case_title(o);
+    plot.title = case_title(o, s);
     if (test && test->residual_mps > 0) plot.measured_residual_m_per_s = test->residual_mps;
     ogive::write_velocity_plot(o.out / "history.csv", o.out / "velocity.svg", plot);
   });
@@ -173,6 +192,9 @@ void print_table(const Options &o, const Shot &s, const std::optional<experiment
   if (o.nose == Nose::blunt || s.fragments.plug_mass > 1e-3)
     std::printf("  %-22s %.2f g at %.1f m/s, debris %.2f g\n", "plug", s.fragments.plug_mass * 1e3,
                 s.fragments.plug_velocity, s.fragments.debris_mass * 1e3);
+  if (o.damage != DamageLaw::none)
+    std::printf("  %-22s %.2f g, %ld of the particles computed\n", "failed", s.fragments.failed_mass * 1e3,
+                static_cast<long>(s.fragments.failed));
   std::printf("  %-22s %.4f %%\n", "largest energy error", s.energy_error * 100);
   std::printf("  %-22s %.1e\n", "momentum error", s.momentum_error);
   std::printf("  %-22s %.3f mm\n", "deepest intrusion", s.intrusion_mm);

@@ -46,16 +46,16 @@ template <class M> Sizes sizes_of(const M &model) {
   return s;
 }
 
-/// Writes case.toml and removes the results of an earlier run from the folder. Throws WriteError.
-void start_results(const Options &options);
+/// Writes material.toml and case.toml and removes the results of an earlier run from the folder. A material file that
+/// the user has there under that name is left as it is. Throws WriteError.
+void start_results(const Options &options, const material_file::AnyMetal &plate);
 
 /// Prints what is about to be computed.
-void announce(const Options &options, const Sizes &sizes);
+void announce(const Options &options, const Shot &shot);
 
 /// Runs a case with the kernel, form and hexes chosen at compile time.
 template <class Kernel, class Form, class Rule, class Law>
-Shot shoot_with(const Options &options, ogive::Metal<double, Law> plate) {
-  plate.eos.law = options.pressure;
+Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) {
   ogive::PerforationOptions<double> numerics;
   numerics.sph.variable_smoothing = options.smoothing == Smoothing::variable;
   const auto c = to_case(options);
@@ -64,11 +64,12 @@ Shot shoot_with(const Options &options, ogive::Metal<double, Law> plate) {
   const auto shape = ogive::paper_projectile<double>(options.nose);
 
   Shot shot;
+  shot.material = plate.name;
   shot.sizes = sizes_of(model);
   shot.flight = ogive::start_flight(c);
   shot.symmetry = model.symmetry;
-  announce(options, shot.sizes);
-  start_results(options);
+  announce(options, shot);
+  start_results(options, plate);
 
   auto history = ogive::open_csv(options.out / "history.csv",
                                  {"time_us", "velocity_m_per_s", "nose_depth_mm", "tail_depth_mm", "kinetic_J",

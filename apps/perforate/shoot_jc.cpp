@@ -2,9 +2,8 @@
 
 namespace perforate {
 
-Shot shoot_jc(const Options &o) {
-  return o.material == PlateMaterial::weldox_460e ? shoot_metal(o, ogive::library::weldox_460e_jc<double>())
-                                                  : shoot_metal(o, ogive::library::aa5083_h116_jc<double>());
+Shot shoot(const Options &options, const ogive::Metal<double, ogive::JohnsonCook<double>> &plate) {
+  return shoot_metal(options, plate);
 }
 
 } // namespace perforate

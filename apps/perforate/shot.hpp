@@ -27,6 +27,7 @@ struct Sizes {
 
 /// Everything that a finished shot tells.
 struct Shot {
+  std::string material; ///< name of the plate's metal
   Sizes sizes;
   ogive::Flight<double> flight;
   ogive::StopReason reason = ogive::StopReason::end_time;
@@ -51,12 +52,12 @@ bool perforated(const Shot &shot);
 /// Residual velocity in m/s, 0 unless perforated.
 double residual_mps(const Shot &shot);
 
-/// Runs the case and writes history and VTK files into `options.out`. Throws SetupError for a case that cannot be
-/// built, WriteError for a file that cannot be written.
-Shot shoot(const Options &options);
+/// Runs the case with this metal (of plate_of()) as the plate and writes history and VTK files into `options.out`.
+/// Throws SetupError for a case that cannot be built, WriteError for a file that cannot be written.
+Shot shoot(const Options &options, const material_file::AnyMetal &plate);
 
 /// The parts of shoot(), one for each flow model so that they compile side by side.
-Shot shoot_mjc(const Options &options);
-Shot shoot_jc(const Options &options);
+Shot shoot(const Options &options, const ogive::Metal<double, ogive::ModifiedJohnsonCook<double>> &plate);
+Shot shoot(const Options &options, const ogive::Metal<double, ogive::JohnsonCook<double>> &plate);
 
 } // namespace perforate

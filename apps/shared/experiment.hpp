@@ -1,8 +1,11 @@
 #pragma once
 
+#include "ogive/io/csv_rows.hpp"
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -13,29 +16,15 @@
 
 namespace experiment {
 
-/// Splits a line of CSV; fields may be quoted.
-inline std::vector<std::string> split(const std::string &line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (char c : line) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      fields.emplace_back();
-    else if (c != '\r')
-      fields.back() += c;
-  }
-  return fields;
-}
-
 /// Rows of a table without its header; empty if the file cannot be read.
 inline std::vector<std::vector<std::string>> read_rows(const std::filesystem::path &file) {
-  std::vector<std::vector<std::string>> rows;
+  constexpr std::size_t most_fields = 50;
   std::ifstream in(file);
-  std::string line;
-  std::getline(in, line);
-  while (std::getline(in, line))
-    if (!line.empty()) rows.push_back(split(line));
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  std::vector<std::vector<std::string>> rows;
+  ogive::for_each_csv_row(text, file.string(), most_fields,
+                          [&](const ogive::CsvRow &row) { rows.push_back(row.fields); });
+  if (!rows.empty()) rows.erase(rows.begin());
   return rows;
 }
 

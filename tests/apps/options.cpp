@@ -1,48 +1,16 @@
-#include "perforate/options.hpp"
-
+#include "apps/parse.hpp"
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
 
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
-#include <vector>
 
 using perforate::Options;
 
 namespace {
 
-std::optional<Options> parse(std::vector<const char *> arguments, std::ostream &text) {
-  arguments.insert(arguments.begin(), "perforate");
-  return perforate::parse(static_cast<int>(arguments.size()), arguments.data(), text);
-}
-
-Options options_of(const std::vector<const char *> &arguments) {
-  std::ostringstream text;
-  return parse(arguments, text).value();
-}
-
-/// The message that these arguments are refused with; empty if they are not.
-std::string refusal(const std::vector<const char *> &arguments) {
-  std::ostringstream text;
-  try {
-    parse(arguments, text);
-  } catch (const ogive::SetupError &error) {
-    return error.what();
-  }
-  return "";
-}
-
 std::string refusal_of_out(const Options &options) {
-  try {
-    perforate::prepare_out(options);
-  } catch (const ogive::SetupError &error) {
-    return error.what();
-  }
-  return "";
+  return message_of([&] { perforate::prepare_out(options); });
 }
-
-void write(const std::filesystem::path &file, const std::string &text) { std::ofstream(file) << text; }
 
 } // namespace
 
@@ -104,7 +72,12 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--threads", "1000000"}, "--threads = 1000000: must be a whole number between 1 and "},
       {{"--nose", "flat"}, "--nose = flat: must be one of blunt, conical, ogival, hemispherical"},
       {{"--nose", "a\nb"}, "--nose = a?b: must be one of blunt"},
-      {{"--material", "steel"}, "--material = steel: must be one of weldox_460e, aa5083_h116, aa5083_h116_25mm"},
+      {{"--material", "steel"},
+       "--material = steel: must be one of weldox_460e, aa5083_h116, aa5083_h116_25mm, or a file that ends in .toml"},
+      {{"--material", "no_such.toml"}, "--material = no_such.toml: must be a TOML file that can be read: No such file"},
+      {{"--damage", "yes"}, "--damage = yes: must be one of none, jc, cockcroft_latham"},
+      {{"--damage", "jc", "--failure", "crack"}, "--failure = crack: must be one of none, no_tension, removal"},
+      {{"--failure", "removal"}, "--failure = removal: needs --damage jc or --damage cockcroft_latham"},
       {{"--model", "MJC"}, "--model = MJC: must be one of mjc, jc"},
       {{"--kernel", "gauss"}, "--kernel = gauss: must be one of cubic_spline, wendland_c2"},
       {{"--quiet=maybe"}, "--quiet = maybe: must be true or false"},
@@ -146,10 +119,16 @@ TEST_CASE("errors in a TOML file name file, line, key and what is allowed") {
       {"out = 3\n", ":1: out = 3: must be the name of a folder"},
       {"nose = true\n", ":1: nose = true: must be one of blunt, conical, ogival, hemispherical"},
       {"nose = \"flat\"\n", ":1: nose = \"flat\": must be one of blunt, conical, ogival, hemispherical"},
-      {"thickness = 3\n", ":1: thickness = 3: unknown key; allowed are material, model, thickness_mm, "},
+      {"thickness = 3\n",
+       ":1: thickness = 3: unknown key; allowed are material, model, damage, failure, thickness_mm, "},
+      {"material = \"list\"\n", ":1: material = \"list\": must be one of weldox_460e, "},
+      {"material = 460\n", ":1: material = 460: must be one of weldox_460e, "},
+      {"material = \"/gone.toml\"\n", ":1: material = /gone.toml: must be a TOML file that can be read: No such file"},
+      {"damage = \"none\"\nfailure = \"removal\"\n", ":2: failure = removal: needs --damage jc or "},
       {"config = \"b.toml\"\n", ":1: config = b.toml: unknown key; allowed are material"},
       {"[plate]\nthickness_mm = 3\n", ":1: plate = a table: unknown key; allowed are material"},
-      {"spacing_mm = 4\nthickness_mm = 6\n", ":1: spacing_mm = 4: must be at most half the thickness of the plate, 3 mm"},
+      {"spacing_mm = 4\nthickness_mm = 6\n",
+       ":1: spacing_mm = 4: must be at most half the thickness of the plate, 3 mm"},
       {"nose = blunt\n", ":1: "},
       {"quiet = true\nthickness_mm = \n", ":2: "},
       {"thickness_mm = 3\nthickness_mm = 4\n", ":2: "},
@@ -181,8 +160,10 @@ TEST_CASE("case.toml runs the same case again") {
   const TemporaryFolder folder;
   const std::string file = (folder.path / "case.toml").string();
   Options all;
-  all.material = perforate::PlateMaterial::aa5083_h116_25mm;
+  all.material = "aa5083_h116_25mm";
   all.model = perforate::FlowModel::jc;
+  all.damage = perforate::DamageLaw::cockcroft_latham;
+  all.failure = perforate::FailureEffect::removal;
   all.thickness_mm = 25.1;
   all.clamp_radius_mm = 100.0 + 1.0 / 3;
   all.nose = perforate::Nose::hemispherical;
@@ -224,7 +205,8 @@ TEST_CASE("help and version stop the run, and help fits a terminal and names eve
                            "--out",          "--config",     "--version",       "--help",
                            "--kernel",       "--form",       "--projectile",    "--lattice",
                            "--smoothing",    "--extent",     "--element",       "--pressure",
-                           "--picture",      "--vtk",        "--quiet"})
+                           "--picture",      "--vtk",        "--quiet",         "--damage",
+                           "--failure"})
     CHECK(text.str().find(std::string("\n  ") + flag) != std::string::npos);
   std::istringstream lines(text.str());
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);

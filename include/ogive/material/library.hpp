@@ -24,6 +24,7 @@ template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string so
   m.specific_heat = T(452);
   m.room_temperature = T(293);
   m.melting_temperature = T(1800);
+  m.source += "; D1 to D5 of Boervik, Hopperstad, Berstad & Langseth 2001 (quoted), W_cr from them";
   m.damage.failure_strain = {T(0.0705), T(1.732), T(-0.54), T(-0.0123), T(0), T(5e-4)};
   m.damage.critical_work = critical_work_of_tension(m);
   return m;
@@ -43,8 +44,8 @@ template <class T> Metal<T, JohnsonCook<T>> weldox_460e_jc() {
       "Boervik, Hopperstad, Berstad & Langseth 2001 (quoted)");
 }
 
-/// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2) with a flow law. Damage is off; its constants
-/// are those of Clausen, Boervik, Hopperstad & Benallal 2004 (as commonly quoted), W_cr follows from them.
+/// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2) with a flow law. Damage is off; its
+/// constants are those of Clausen, Boervik, Hopperstad & Benallal 2004 (as commonly quoted), W_cr follows from them.
 template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string source) {
   Metal<T, Law> m;
   m.name = "aa5083_h116";
@@ -56,6 +57,7 @@ template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string so
   m.specific_heat = T(910);
   m.room_temperature = T(293);
   m.melting_temperature = T(893);
+  m.source += "; D1 to D5 of Clausen, Boervik, Hopperstad & Benallal 2004 (quoted), W_cr from them";
   m.damage.failure_strain = {T(0.0261), T(0.263), T(-0.349), T(0.147), T(16.8), T(1)};
   m.damage.critical_work = critical_work_of_tension(m);
   return m;
@@ -67,7 +69,8 @@ template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string so
 template <class T> Metal<T, ModifiedJohnsonCook<T>> aa5083_h116_mjc(T strength = T(1)) {
   return aa5083_h116<T>(
       ModifiedJohnsonCook<T>{strength * T(167e6), strength * T(596e6), T(0.551), T(0.0114), T(0.56), T(293), T(893)},
-      "Liu et al. 2012, Table 2 (C, b); Clausen et al. 2004 (A, B, a; quoted)");
+      std::string("Liu et al. 2012, Table 2 (C, b); Clausen et al. 2004 (A, B, a; quoted)") +
+          (strength == T(1) ? "" : ", A and B weakened by assumption"));
 }
 
 /// AA5083-H116, classical Johnson-Cook (Clausen, Boervik, Hopperstad & Benallal 2004, MSEA 364:260; as commonly

@@ -1,0 +1,136 @@
+#include "perforate/options_material.hpp"
+
+#include "apps/parse.hpp"
+#include "catch.hpp"
+#include "io/temporary_folder.hpp"
+
+#include "ogive/material/library.hpp"
+
+using Catch::Matchers::StartsWith;
+using perforate::Options;
+
+namespace {
+
+namespace library = ogive::library;
+
+/// A folder with steel.toml (mjc) and plain.toml (jc, without constants of damage and Mie-Grueneisen).
+struct Materials {
+  TemporaryFolder folder;
+  std::filesystem::path steel = folder.path / "steel.toml", plain = folder.path / "plain.toml";
+
+  Materials() {
+    auto metal = library::weldox_460e_jc<double>();
+    metal.damage = {};
+    metal.eos = {};
+    write(plain, material_file::to_toml(metal, ""));
+    write(steel, material_file::to_toml(library::weldox_460e_mjc<double>(), ""));
+  }
+};
+
+} // namespace
+
+TEST_CASE("a material file decides the model, and names the folder") {
+  const Materials m;
+  const Options steel = options_of({"--material", m.steel.c_str(), "--nose", "conical"});
+  CHECK(steel.material == m.steel);
+  CHECK(steel.model == perforate::FlowModel::mjc);
+  CHECK(steel.friction == 0.08);
+  CHECK(steel.out == "vtk_out/steel_mjc_conical_12mm_303.5mps");
+  const Options plain = options_of({"--material", m.plain.c_str(), "--model", "jc"});
+  CHECK(plain.model == perforate::FlowModel::jc);
+  CHECK(plain.out == "vtk_out/plain_jc_blunt_12mm_303.5mps");
+  CHECK(refusal({"--material", m.plain.c_str(), "--model", "mjc"}) ==
+        "--model = mjc: contradicts " + m.plain.string() + ", which has model = jc");
+}
+
+TEST_CASE("errors in a material file end the reading of options") {
+  const Materials m;
+  write(m.steel, "model = \"mjc\"\n");
+  CHECK_THAT(refusal({"--material", m.steel.c_str()}), StartsWith(m.steel.string() + ": model \"mjc\" lacks name, "));
+}
+
+TEST_CASE("what the options need must be in the material file") {
+  const Materials m;
+  const std::string file = m.plain.string();
+  CHECK(refusal({"--material", file.c_str(), "--damage", "jc"}) ==
+        "--damage = jc: needs D1, D2, D3, D4, D5 in " + file);
+  CHECK(refusal({"--material", file.c_str(), "--damage", "cockcroft_latham"}) ==
+        "--damage = cockcroft_latham: needs critical_work_MPa in " + file);
+  CHECK(refusal({"--material", file.c_str(), "--pressure", "mie_gruneisen"}) ==
+        "--pressure = mie_gruneisen: needs hugoniot_slope, gruneisen in " + file);
+  CHECK(refusal({"--material", m.steel.c_str(), "--damage", "jc", "--pressure", "mie_gruneisen"}).empty());
+}
+
+TEST_CASE("damage is off, and where it is on failure takes the tension") {
+  CHECK(options_of({}).damage == perforate::DamageLaw::none);
+  CHECK(options_of({}).failure == perforate::FailureEffect::none);
+  CHECK(options_of({"--damage", "jc"}).failure == perforate::FailureEffect::no_tension);
+  CHECK(options_of({"--damage", "jc", "--failure", "none"}).failure == perforate::FailureEffect::none);
+  const Options o = options_of({"--damage", "cockcroft_latham", "--failure", "removal", "--pressure", "mie_gruneisen"});
+  std::visit(
+      [](const auto &metal) {
+        CHECK(metal.damage.law == ogive::DamageLaw::cockcroft_latham);
+        CHECK(metal.damage.effect == ogive::FailureEffect::removal);
+        CHECK(metal.eos.law == ogive::PressureLaw::mie_gruneisen);
+      },
+      plate_of(o));
+}
+
+TEST_CASE("the library's metals bear the names that the user gives") {
+  for (const char *name : {"weldox_460e", "aa5083_h116", "aa5083_h116_25mm"})
+    for (const char *model : {"mjc", "jc"}) {
+      const auto plate = plate_of(options_of({"--material", name, "--model", model}));
+      CHECK(material_file::name_of(plate) == name);
+      CHECK(material_file::name_of(material_file::model_of(plate)) == model);
+    }
+  const auto weak = plate_of(options_of({"--material", "aa5083_h116_25mm"}));
+  CHECK(std::get<0>(weak).flow.A == library::aa5083_h116_mjc<double>(0.85).flow.A);
+}
+
+TEST_CASE("a material in a TOML file counts from the folder of that file") {
+  const Materials m;
+  const auto config = m.folder.path / "case.toml";
+  write(config, "material = \"steel.toml\"\n");
+  CHECK(options_of({"--config", config.c_str()}).material == m.steel);
+  CHECK_THAT(refusal({"--config", config.c_str(), "--material", "steel.toml"}),
+             StartsWith("--material = steel.toml: must be a TOML file that can be read: No such file"));
+  write(config, "material = \"below/../steel.toml\"\n");
+  std::filesystem::create_directory(m.folder.path / "below");
+  CHECK(options_of({"--config", config.c_str()}).model == perforate::FlowModel::mjc);
+  write(config, "material = " + ('"' + m.plain.string() + '"') + "\nmodel = \"mjc\"\n");
+  CHECK(refusal({"--config", config.c_str()}) ==
+        config.string() + ":2: model = mjc: contradicts " + m.plain.string() + ", which has model = jc");
+}
+
+TEST_CASE("case.toml runs a case with a material file again") {
+  const Materials m;
+  const auto config = m.folder.path / "again.toml";
+  for (const auto &o : {options_of({"--material", m.plain.c_str()}),
+                        options_of({"--material", m.steel.c_str(), "--damage", "jc", "--nose", "ogival"}),
+                        options_of({"--material", m.steel.c_str(), "--damage", "jc", "--failure", "none"})}) {
+    write(config, perforate::to_toml(o));
+    CHECK(options_of({"--config", config.c_str()}) == o);
+  }
+}
+
+TEST_CASE("a material that the results would overwrite is refused") {
+  const Materials m;
+  const auto file = m.folder.path / "case.toml";
+  std::filesystem::rename(m.steel, file);
+  Options o = options_of({"--material", file.c_str()});
+  o.out = m.folder.path;
+  CHECK(message_of([&] { prepare_out(o); }) ==
+        "--material = " + file.string() + ": must not be case.toml in the folder for the results: that is overwritten");
+}
+
+TEST_CASE("the list has every metal with its constants and source, and fits a terminal") {
+  std::ostringstream text;
+  CHECK_FALSE(parse({"--material", "list"}, text));
+  for (const char *part :
+       {"\nweldox_460e\n", "\naa5083_h116\n", "\naa5083_h116_25mm\n", "\narne_tool_steel, ",
+        "mjc: Liu et al. 2012, Table 1; D1", "jc: Clausen, Boervik", "bilinear: Liu et al. 2012, Table 3",
+        "A_MPa=503, ", "rate_factor=power", "D2=1.732", "yield_MPa=1900", "no constants for --damage"})
+    CHECK(text.str().find(part) != std::string::npos);
+  std::istringstream lines(text.str());
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+}
