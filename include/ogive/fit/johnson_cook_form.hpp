@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ogive/material/johnson_cook.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+/// \file
+/// The three laws of the Johnson-Cook family as one: five parameters and a form.
+
+namespace ogive {
+
+/// Which rate factor stands between hardening and softening.
+enum class FlowForm {
+  modified,    ///< rate^C, rate in 1/s (Liu et al. 2012, Eq. 2)
+  logarithmic, ///< 1 + C ln(rate/rate0), 1 below rate0 (Johnson & Cook 1983)
+  power        ///< (1 + rate/rate0)^C (Camacho & Ortiz 1997)
+};
+inline constexpr std::array<FlowForm, 3> all_flow_forms{FlowForm::modified, FlowForm::logarithmic, FlowForm::power};
+
+/// A + B eps^a.
+struct Hardening {
+  double A{}; ///< Pa
+  double B{}; ///< Pa
+  double a{};
+};
+
+/// All that a law knows besides its five parameters.
+struct FlowFrame {
+  FlowForm form = FlowForm::modified;
+  double reference_rate = 1; ///< 1/s, of the classical law
+  double room = 293;         ///< Tr, K
+  double melting{};          ///< Tm, K
+};
+
+/// The modified law with these parameters.
+inline ModifiedJohnsonCook<double> modified_law(const FlowFrame &f, const Hardening &h, double C, double b) {
+  return {.A = h.A, .B = h.B, .a = h.a, .C = C, .b = b, .room = f.room, .melting = f.melting};
+}
+
+/// The classical law with these parameters; a and b stand for its n and m.
+inline JohnsonCook<double> classical_law(const FlowFrame &f, const Hardening &h, double C, double b) {
+  return {.A = h.A,
+          .B = h.B,
+          .n = h.a,
+          .C = C,
+          .m = b,
+          .reference_rate = f.reference_rate,
+          .room = f.room,
+          .melting = f.melting,
+          .rate_factor = f.form == FlowForm::power ? RateFactor::power : RateFactor::logarithmic};
+}
+
+/// Flow stress, Pa.
+inline double flow_stress_value(const FlowFrame &f, const Hardening &h, double C, double b, double plastic_strain,
+                                double rate, double temperature) {
+  return f.form == FlowForm::modified ? flow_stress(modified_law(f, h, C, b), plastic_strain, rate, temperature).value
+                                      : flow_stress(classical_law(f, h, C, b), plastic_strain, rate, temperature).value;
+}
+
+/// The rate factor alone.
+inline double rate_factor(const FlowFrame &f, double C, double rate) {
+  return flow_stress_value(f, {1, 0, 1}, C, 1, 0, rate, f.room);
+}
+
+} // namespace ogive

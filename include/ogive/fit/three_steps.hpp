@@ -1,0 +1,166 @@
+#pragma once
+
+#include "ogive/fit/hardening_fit.hpp"
+#include "ogive/fit/rate_exponent.hpp"
+#include "ogive/fit/test_series.hpp"
+#include "ogive/fit/thermal_exponent.hpp"
+
+#include <optional>
+#include <vector>
+
+/// \file
+/// The three steps of Liu et al. 2012, section 2.1: A, B, a from the quasi-static curve, then C from faster curves,
+/// then b from hotter ones. Each step sees the whole law and solves for its own parameters only, so that the steps are
+/// repeated until nothing changes.
+
+namespace ogive {
+
+/// A law to be fitted. C and b may be known beforehand.
+struct FlowChoice {
+  FlowFrame frame;
+  std::optional<double> C{}, b{};
+};
+
+/// The parameters as the steps see them: hardening is that of the quasi-static curve, A0 and B0.
+struct StepParameters {
+  std::vector<Hardening> hardening; ///< one for each of TestSeries::hardenings
+  double C{}, b{};
+};
+
+/// Rate factor over that of the quasi-static curve.
+inline double relative_rate_factor(const FlowFrame &f, double C, double rate, double quasi_static_rate) {
+  return rate_factor(f, C, rate) / rate_factor(f, C, quasi_static_rate);
+}
+
+/// Quasi-static stress at room temperature, Pa.
+inline double quasi_static_stress(const Hardening &h, double strain) {
+  return power_hardening(h.A, h.B, h.a, strain).value;
+}
+
+/// The equation for C of a point of a faster curve.
+inline RateEquation rate_equation(const FlowFrame &f, const Hardening &h, double b, const TestPoint &p,
+                                  double quasi_static_rate) {
+  const double softening = thermal_factor(p.temperature, f.room, f.melting, b).value;
+  return rate_equation(f, p.stress / (quasi_static_stress(h, p.strain) * softening), p.rate, quasi_static_rate);
+}
+
+/// Softening of a point of a hotter curve.
+inline SofteningPoint softening_point(const FlowFrame &f, const Hardening &h, double C, const TestPoint &p,
+                                      double quasi_static_rate) {
+  const double cold = quasi_static_stress(h, p.strain) * relative_rate_factor(f, C, p.rate, quasi_static_rate);
+  return {(p.temperature - f.room) / (f.melting - f.room), p.stress / cold};
+}
+
+/// The part of a quasi-static point's stress that is not hardening.
+inline double quasi_static_factor(const FlowFrame &f, double C, double b, const TestPoint &p,
+                                  double quasi_static_rate) {
+  return relative_rate_factor(f, C, p.rate, quasi_static_rate) *
+         thermal_factor(p.temperature, f.room, f.melting, b).value;
+}
+
+inline bool gives_rate(const TestSeries &s, const TestPoint &p) {
+  return p.use == CurveUse::rate && holds(s.settings.rate_window, p.strain);
+}
+inline bool gives_softening(const TestSeries &s, const TestPoint &p) {
+  return p.use == CurveUse::thermal && holds(s.settings.thermal_window, p.strain);
+}
+
+namespace three_steps_detail {
+
+inline std::string text_of(const Interval &i) {
+  return std::isfinite(i.to) ? "between " + shortest(i.from) + " and " + shortest(i.to) : "from " + shortest(i.from);
+}
+
+/// Throws SetupError unless there are points for each parameter that is not given.
+inline void require_points(const TestSeries &s, const std::vector<TestPoint> &points, const FlowChoice &choice) {
+  const auto count = [&](auto gives) {
+    return std::count_if(points.begin(), points.end(), [&](const TestPoint &p) { return gives(s, p); });
+  };
+  if (!choice.C)
+    require(count(gives_rate) > 1, "points for C", count(gives_rate),
+            "needs two or more of a curve at room temperature faster than " + shortest(quasi_static_ratio) + " times " +
+                shortest(s.quasi_static_rate) + " 1/s with plastic strains " + text_of(s.settings.rate_window) +
+                " (--rate-window-from, --rate-window-to), or a known value, --C");
+  if (!choice.b)
+    require(count(gives_softening) > 1, "points for b", count(gives_softening),
+            "needs two or more of a curve hotter than " + shortest(s.settings.room + room_tolerance) +
+                " K with plastic strains " + text_of(s.settings.thermal_window) +
+                " (--thermal-window-from, --thermal-window-to) that is not left out, or a known value, --b");
+}
+
+inline std::vector<Hardening> hardening_step(const TestSeries &s, const std::vector<TestPoint> &points,
+                                             const FlowFrame &f, double C, double b) {
+  std::vector<Hardening> all;
+  for (std::size_t h = 0; h < s.hardenings.size(); ++h) {
+    std::vector<HardeningPoint> own;
+    for (const auto &p : points)
+      if (p.use == CurveUse::quasi_static && hardens(s, p, h))
+        own.push_back({p.strain, p.stress, quasi_static_factor(f, C, b, p, s.quasi_static_rate)});
+    const std::string &plate = s.hardenings[h];
+    const bool named = !plate.empty() && plate != all_plates;
+    all.push_back(fit_hardening(own, "quasi-static curve" + (named ? " of plate " + printable(plate) : "")));
+  }
+  return all;
+}
+
+inline double rate_step(const TestSeries &s, const std::vector<TestPoint> &points, const FlowFrame &f,
+                        const std::vector<Hardening> &hardening, double b) {
+  double xy = 0, xz = 0;
+  for (const auto &p : points) {
+    if (!gives_rate(s, p)) continue;
+    const auto e = rate_equation(f, hardening[p.hardening], b, p, s.quasi_static_rate);
+    xy += e.x * e.y, xz += e.x * e.z;
+  }
+  const double C = xy / xz;
+  require(std::isfinite(C), "C", shortest(C),
+          "must be finite; do the faster curves' rates differ from the reference rate and the quasi-static rate?");
+  return C;
+}
+
+inline double thermal_step(const TestSeries &s, const std::vector<TestPoint> &points, const FlowFrame &f,
+                           const std::vector<Hardening> &hardening, double C) {
+  std::vector<SofteningPoint> softening;
+  for (const auto &p : points)
+    if (gives_softening(s, p))
+      softening.push_back(softening_point(f, hardening[p.hardening], C, p, s.quasi_static_rate));
+  const auto b = fit_thermal_exponent(softening);
+  if (!b)
+    throw SetupError("b: no value between 0.02 and 20 fits; the stress must fall from room temperature to the melting "
+                     "temperature, are the hot curves weaker than the quasi-static one?");
+  return *b;
+}
+
+inline double change(const StepParameters &p, const StepParameters &q) {
+  double largest = std::max(std::abs(p.C - q.C), std::abs(p.b - q.b) / std::abs(q.b));
+  for (std::size_t h = 0; h < p.hardening.size(); ++h) {
+    const auto &u = p.hardening[h], &v = q.hardening[h];
+    for (const double d : {(u.A - v.A) / v.A, (u.B - v.B) / v.B, (u.a - v.a) / v.a})
+      largest = std::max(largest, std::abs(d));
+  }
+  return largest;
+}
+
+} // namespace three_steps_detail
+
+/// The three steps, repeated until no parameter changes by more than 1e-10. Throws SetupError if a step lacks points or
+/// finds no value.
+inline StepParameters three_steps(const TestSeries &s, const std::vector<TestPoint> &points, const FlowChoice &choice) {
+  using namespace three_steps_detail;
+  require_points(s, points, choice);
+  const FlowFrame &f = choice.frame;
+  StepParameters now{{}, choice.C.value_or(0), choice.b.value_or(1)};
+  constexpr int most_rounds = 200;
+  for (int round = 0; round < most_rounds; ++round) {
+    StepParameters next = now;
+    next.hardening = hardening_step(s, points, f, now.C, now.b);
+    if (!choice.C) next.C = rate_step(s, points, f, next.hardening, now.b);
+    if (!choice.b) next.b = thermal_step(s, points, f, next.hardening, next.C);
+    const bool settled = round > 0 && change(now, next) < 1e-10;
+    now = std::move(next);
+    if (settled) return now;
+  }
+  throw SetupError("calibration: the three steps do not settle after " + std::to_string(most_rounds) +
+                   " rounds; try --isothermal, or a known --C or --b");
+}
+
+} // namespace ogive
