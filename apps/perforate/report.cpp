@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace perforate {
 
@@ -40,6 +41,20 @@ double peak_memory_mb() {
 
 double ns_per_particle_step(const Shot &s) {
   return s.loop_s * 1e9 / std::max(1.0, static_cast<double>(s.steps) * static_cast<double>(s.sizes.particles));
+}
+
+/// "neighbours 3 %, gradient 20 %, ...": of the time loop.
+std::string shares(const Shot &s) {
+  const double total = std::accumulate(s.times.seconds.begin(), s.times.seconds.end(), 0.0);
+  std::string text;
+  for (std::size_t k = 0; k < ogive::phase_count; ++k) {
+    const auto phase = static_cast<ogive::Phase>(k);
+    char share[64];
+    std::snprintf(share, sizeof share, "%s%s %.0f %%", text.empty() ? "" : ", ", std::string(ogive::name(phase)).c_str(),
+                  100 * s.times[phase] / total);
+    text += share;
+  }
+  return text;
 }
 
 /// Why the run ended.
@@ -145,6 +160,10 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["wall_s"] = s.wall_s;
   j["threads"] = omp_get_max_threads();
   j["ns_per_particle_step"] = ns_per_particle_step(s);
+  for (std::size_t k = 0; k < ogive::phase_count; ++k) {
+    const auto phase = static_cast<ogive::Phase>(k);
+    j["phase_s"][std::string(ogive::name(phase))] = s.times[phase];
+  }
   j["peak_memory_mb"] = peak_memory_mb();
   j["state_hash"] = hash;
   ogive::write_atomically(o.out / "summary.json", j.dump(2) + "\n");
@@ -200,6 +219,7 @@ void print_table(const Options &o, const Shot &s, const std::optional<experiment
   std::printf("  %-22s %.3f mm\n", "deepest intrusion", s.intrusion_mm);
   std::printf("  %-22s %.1f s, %ld steps, %.0f ns per particle and step, %.0f MB\n", "cost", s.wall_s, s.steps,
               ns_per_particle_step(s), peak_memory_mb());
+  std::printf("  %-22s %s\n", "shares", shares(s).c_str());
   std::printf("  %-22s %s\n", "files", o.out.string().c_str());
 }
 

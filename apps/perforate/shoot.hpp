@@ -120,6 +120,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   shot.simulated_us = model.time * 1e6;
   shot.fragments = ogive::find_fragments(model);
   shot.state_hash = ogive::state_hash(model);
+  shot.times = model.times;
   shot.last_frame = ogive::gather_frame(model);
   return shot;
 }

@@ -40,6 +40,7 @@ struct Shot {
   double wall_s = 0;         ///< wall time of the whole run
   long steps = 0;
   double simulated_us = 0;
+  ogive::PhaseTimes times;   ///< wall time of the parts of the time loop
   std::uint64_t state_hash = 0;
   ogive::Frame last_frame;
   ogive::SymmetryPlanes symmetry;

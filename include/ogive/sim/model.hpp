@@ -4,6 +4,7 @@
 #include "ogive/contact/tie.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
+#include "ogive/sim/phases.hpp"
 
 #include <cstdint>
 #include <string>
@@ -31,6 +32,7 @@ template <class T, class... Bodies> struct Model {
   std::int64_t steps = 0;
   T last_step = T(0);                        ///< s, interval before the present time
   T last_kick = T(0);                        ///< s, interval over which the last forces changed the velocities
+  PhaseTimes times{};                        ///< s of wall time, of all steps and runs
   Vec3<T> support_impulse = Vec3<T>::Zero(); ///< N s, given by held nodes to the computed part of the model
 };
 

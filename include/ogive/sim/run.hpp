@@ -63,6 +63,7 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer
   if (!observer(std::as_const(model), energy(model))) return {StopReason::observer, std::nullopt};
 
   while (model.time < options.end_time * (T(1) - std::numeric_limits<T>::epsilon())) {
+    Lap lap(model.times);
     if (model.steps % options.time_step_every == 0) {
       dt = stable_time_step(model);
       if (!(dt >= options.smallest_step_fraction * first_step)) {
@@ -73,11 +74,14 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer
         return stop_at({what.str(), "model", -1, double(model.time) * 1e6});
       }
     }
+    lap(Phase::checks);
     step(model, dt);
+    lap.restart();
     if (model.steps % options.check_every == 0) {
       if (const auto fault = find_not_finite(model)) return stop_at(*fault);
       if (const auto fault = find_inverted(model)) return stop_at(*fault);
     }
+    lap(Phase::checks);
     if (model.time < next_look) continue;
     next_look += options.observe_every;
     looked_at = model.steps;
@@ -88,7 +92,10 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer
       what << "the energy balance is off by " << double(error) * 100 << " %";
       return stop_at({what.str(), "model", -1, double(model.time) * 1e6});
     }
-    if (!observer(std::as_const(model), ledger)) return {StopReason::observer, std::nullopt};
+    lap(Phase::checks);
+    const bool goes_on = observer(std::as_const(model), ledger);
+    lap(Phase::observer);
+    if (!goes_on) return {StopReason::observer, std::nullopt};
   }
   if (looked_at != model.steps) observer(std::as_const(model), energy(model));
   return result;

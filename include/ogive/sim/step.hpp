@@ -16,16 +16,17 @@ namespace ogive {
 template <class M, class T> void step(M &model, T dt) {
   Nodes<T> &nodes = model.nodes;
   const T before = model.last_step, kick = T(0.5) * (before + dt);
-  clear_forces(nodes);
+  Lap lap(model.times);
+  clear_forces(nodes), lap(Phase::motion);
   for_each_body(model, [&](auto &body) {
-    prepare(body, nodes);
-    velocity_gradient(body, nodes);
-    update_stress(body, before);
-    add_internal_force(body, nodes, before);
+    prepare(body, nodes), lap(phase_of(body, Phase::neighbours));
+    velocity_gradient(body, nodes), lap(phase_of(body, Phase::gradient));
+    update_stress(body, before), lap(phase_of(body, Phase::stress));
+    add_internal_force(body, nodes, before), lap(phase_of(body, Phase::force));
   });
   for (auto &contact : model.contacts) {
     for_each_body(model, [&](const auto &body) { release_removed(contact, body); });
-    add_contact_force(contact, nodes, before, dt);
+    add_contact_force(contact, nodes, before, dt), lap(Phase::contact);
   }
   for (const auto &tie : model.ties) hand_over_forces(tie, nodes);
   for (const auto &part : model.rigid_parts) rigidify(part, nodes);
@@ -35,7 +36,7 @@ template <class M, class T> void step(M &model, T dt) {
   model.time += dt;
   model.last_step = dt;
   model.last_kick = kick;
-  ++model.steps;
+  ++model.steps, lap(Phase::motion);
 }
 
 } // namespace ogive

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <string_view>
+
+namespace ogive {
+
+/// The parts that a run's wall time is booked to.
+enum class Phase { neighbours, gradient, stress, force, hexes, contact, motion, checks, observer };
+
+inline constexpr std::size_t phase_count = 9;
+
+/// Name of a phase in tables and files.
+constexpr std::string_view name(Phase phase) {
+  constexpr std::array<std::string_view, phase_count> names{"neighbours", "gradient", "stress", "force",   "hexes",
+                                                            "contact",    "motion",   "checks", "observer"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+/// Wall time of each phase, s. It is no part of the state of a model.
+struct PhaseTimes {
+  std::array<double, phase_count> seconds{};
+  double operator[](Phase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
+};
+
+/// Books the time since it was made, or since its last call, to a phase.
+class Lap {
+public:
+  explicit Lap(PhaseTimes &times) : times_(times) {}
+  void operator()(Phase phase) {
+    const auto now = std::chrono::steady_clock::now();
+    times_.seconds[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+  /// What has passed since the last call is booked to nothing, because another has booked it.
+  void restart() { last_ = std::chrono::steady_clock::now(); }
+
+private:
+  PhaseTimes &times_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// The phase itself for particles; hexes are booked as one.
+template <class Body> constexpr Phase phase_of(const Body &, Phase phase) {
+  if constexpr (requires(const Body &b) { b.hexes; })
+    return Phase::hexes;
+  else
+    return phase;
+}
+
+} // namespace ogive
