@@ -62,19 +62,29 @@ TEST_CASE("neighbour lists hold what brute force finds, mirror images included",
   auto body = add_sph_body(nodes, layout, library::weldox_460e_mjc<double>(), "block", {true, true});
   prepare(body, nodes);
   const auto &n = body.neighbours;
-  std::vector<Vec3<double>> all = layout.positions;
-  for (const auto &image : n.images) all.push_back(mirrored(all[image.parent], image));
-  for (Index i = 0; i < body.points.size(); ++i) {
-    std::set<std::array<double, 3>> found, expected;
-    for (Index j : row(n, i))
-      if (j != i) found.insert({all[j][0], all[j][1], all[j][2]});
-    for (int flips = 0; flips < 4; ++flips)
-      for (Index j = 0; j < body.points.size(); ++j) {
-        const Vec3<double> x = mirrored(layout.positions[j], {j, (flips & 1) != 0, (flips & 2) != 0});
-        if ((flips || j != i) && (x - layout.positions[i]).norm() < n.reach) expected.insert({x[0], x[1], x[2]});
-      }
+  const Index count = body.points.size();
+  std::vector<Vec3<double>> at_place;
+  for (const Index i : n.order) at_place.push_back(layout.positions[i]);
+  for (const auto &image : n.images) {
+    REQUIRE(n.order[image.place] == image.parent);
+    at_place.push_back(mirrored(layout.positions[image.parent], image));
+  }
+  REQUIRE(n.order.size() % lanes<double> == 0);
+  REQUIRE(std::set<Index>(n.order.begin(), n.order.end()).size() == std::size_t(count));
+  using Point = std::array<double, 3>;
+  for (Index c = 0; c < clusters(n); ++c) {
+    std::set<Point> found, expected;
+    for (Index place : row(n, c)) {
+      const Vec3<double> &x = at_place[place];
+      REQUIRE(found.insert({x[0], x[1], x[2]}).second); // each once
+    }
+    for (Index l = 0; l < lanes<double>; ++l)
+      for (int flips = 0; flips < 4; ++flips)
+        for (Index j = 0; j < count; ++j) {
+          const Vec3<double> x = mirrored(layout.positions[j], {j, 0, (flips & 1) != 0, (flips & 2) != 0});
+          if ((x - at_place[c * lanes<double> + l]).norm() < n.reach) expected.insert({x[0], x[1], x[2]});
+        }
     REQUIRE(found == expected);
-    REQUIRE(row(n, i).size() % row_multiple == 0);
   }
 }
 
@@ -88,11 +98,16 @@ TEST_CASE("a particle behind a mirror plane and its neighbours find each other b
   const Index n = body.points.size();
   using Link = std::array<Index, 4>; // particle, other particle, mirrored at x, at y
   std::set<Link> links;
-  for (Index i = 0; i < n; ++i)
-    for (Index k : row(body.neighbours, i)) {
-      if (k < n) continue;
-      const MirrorImage &image = body.neighbours.images[k - n];
-      links.insert({i, image.parent, image.flip_x, image.flip_y});
+  const auto &lists = body.neighbours;
+  const Index places = static_cast<Index>(lists.order.size());
+  for (Index c = 0; c < clusters(lists); ++c)
+    for (Index k : row(lists, c)) {
+      if (k < places) continue;
+      const MirrorImage &image = lists.images[k - places];
+      for (Index i = c * lanes<double>; i < std::min(n, (c + 1) * lanes<double>); ++i)
+        // A list is that of a cluster: not all of it is within reach of each particle.
+        if ((mirrored(layout.positions[image.parent], image) - layout.positions[lists.order[i]]).norm() < lists.reach)
+          links.insert({lists.order[i], image.parent, image.flip_x, image.flip_y});
     }
   CHECK(links.size() > 1000);
   for (const Link &l : links) REQUIRE(links.count({l[1], l[0], l[2], l[3]}) == 1);

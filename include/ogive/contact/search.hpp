@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ogive/contact/node_to_surface.hpp"
-#include "ogive/sph/neighbours.hpp"
+#include "ogive/sph/cell_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -67,7 +67,10 @@ template <class T> Mat3<T> full(const Sym3<T> &a) {
 }
 
 /// Von Mises equivalent of a deviatoric stress, Pa.
-template <class T> T von_mises(const Sym3<T> &s) { return std::sqrt(T(1.5) * double_dot(s, s)); }
+template <class T> T von_mises(const Sym3<T> &s) {
+  using std::sqrt;
+  return sqrt(T(1.5) * double_dot(s, s));
+}
 
 /// Inverse of a 3x3 matrix by its adjugate. The determinant must not vanish.
 template <class T> Mat3<T> inverse(const Mat3<T> &a) {

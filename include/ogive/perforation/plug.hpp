@@ -29,16 +29,14 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
     while (piece[i] != i) i = piece[i] = piece[piece[i]];
     return i;
   };
-  if (body.neighbours.row_begin.empty()) return std::vector<Index>(n, 0);
+  if (body.neighbours.order.empty()) return std::vector<Index>(n, 0);
   const auto failed = [&](Index i) { return is_failed(body.metal.damage, body.points.damage[i]); };
-  for (Index i = 0; i < n; ++i)
-    for (Index j : row(body.neighbours, i)) {
-      if (j <= i || j >= n || failed(i) || failed(j)) continue;
-      const Vec3<T> gap = nodes.position[body.nodes.begin + i] - nodes.position[body.nodes.begin + j];
-      if (gap.squaredNorm() > distance * distance) continue;
-      const Index a = root(i), b = root(j);
-      piece[std::max(a, b)] = std::min(a, b);
-    }
+  for_each_neighbour_pair(body.neighbours, [&](Index i, Index j) {
+    const Vec3<T> gap = nodes.position[body.nodes.begin + i] - nodes.position[body.nodes.begin + j];
+    if (gap.squaredNorm() > distance * distance || failed(i) || failed(j)) return;
+    const Index a = root(i), b = root(j);
+    piece[std::max(a, b)] = std::min(a, b);
+  });
   for (Index i = 0; i < n; ++i) piece[i] = root(i);
   return piece;
 }

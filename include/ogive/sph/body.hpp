@@ -35,6 +35,7 @@ template <class T> struct SphOptions {
 
 /// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
 template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = RenormalisedForm> struct SphBody {
+  using Scalar = T;
   using Kernel = Kernel_;
   using Form = Form_;
   std::string name;
@@ -44,9 +45,8 @@ template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = Renorma
   T spacing{}; ///< particle distance, m
   NodeRange nodes{};
   MaterialPoints<T> points;
-  std::vector<T> point_mass;       ///< kg, constant
-  std::vector<Mat3<T>> correction; ///< B of each particle, empty for the standard form
-  std::vector<T> viscous_energy;   ///< J, work of artificial viscosity: each particle's half of its pairs
+  std::vector<T> point_mass;     ///< kg, constant
+  std::vector<T> viscous_energy; ///< J, work of artificial viscosity: each particle's half of its pairs
   Neighbours<T> neighbours;
   PairData<T> pair_data;
 };
@@ -81,7 +81,6 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
     nodes.mass[body.nodes.begin + i] = body.point_mass[i];
   }
   fill(body.points, body.nodes.size(), initial_point(metal));
-  if constexpr (Form::corrected) body.correction.assign(body.nodes.size(), Mat3<T>::Identity());
   body.viscous_energy.assign(body.nodes.size(), T(0));
   return body;
 }

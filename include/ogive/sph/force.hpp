@@ -11,80 +11,93 @@ template <class T> struct ArtificialViscosity {
   T sound_speed{}; ///< longitudinal, m/s
 };
 
-/// Force on a particle and the power that artificial viscosity takes from it.
+/// Forces on the particles of a cluster and the power that artificial viscosity takes from them.
 template <class T> struct PairForces {
-  Vec3<T> force;     ///< N
-  T viscous_power{}; ///< W, half of each pair's
+  Pack<T> x, y, z;       ///< N
+  Pack<T> viscous_power; ///< W, half of each pair's
 };
 
-/// rho_i rho_j Pi_ij of Monaghan & Gingold 1983, Pa: positive for approaching pairs, else zero. `approach` = v_ij .
-/// x_ij.
-template <class T>
-T viscous_pressure(const ArtificialViscosity<T> &a, T approach, T r_squared, T h, T density_i, T density_j) {
-  const T mu = h * std::min(approach, T(0)) / (r_squared + T(0.01) * h * h);
-  return T(2) * density_i * density_j / (density_i + density_j) * mu * (a.quadratic * mu - a.linear * a.sound_speed);
+/// f_i = V_i sum_j V_j (G_i + G_j - rho_i rho_j Pi_ij I) grad W_ij, the transpose of the velocity gradient; G = sigma
+/// B. rho_i rho_j Pi_ij is that of Monaghan & Gingold 1983, Pa, positive for approaching pairs, else zero: rho mu (beta
+/// mu - alpha c) with rho the mean density and mu = h v_ij . x_ij / (r^2 + 0.01 h^2).
+template <class Kernel, bool variable, class T>
+PairForces<T> pair_forces(const PairData<T> &d, Index c, std::span<const Index> neighbours, T h,
+                          const ArtificialViscosity<T> &viscosity) {
+  using P = Pack<T>;
+  const Index first = c * lanes<T>;
+  const P xi = load_pack(&d.x[first]), yi = load_pack(&d.y[first]), zi = load_pack(&d.z[first]);
+  const P vxi = load_pack(&d.vx[first]), vyi = load_pack(&d.vy[first]), vzi = load_pack(&d.vz[first]);
+  const P density_i = load_pack(&d.density[first]), hi = variable ? load_pack(&d.smoothing[first]) : P(h);
+  const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
+  const T half_beta = T(0.5) * viscosity.quadratic, half_alpha_c = T(0.5) * viscosity.linear * viscosity.sound_speed;
+  P fx, fy, fz, sx, sy, sz, power;
+  for (const Index j : neighbours) {
+    const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
+    const P r2 = dx * dx + dy * dy + dz * dz;
+    const P pair_h = variable ? T(0.5) * (hi + d.smoothing[j]) : hi;
+    const P inverse_h = variable ? T(1) / pair_h : fixed_inverse;
+    const P norm = variable ? gradient_norm<Kernel>(inverse_h) : fixed_norm;
+    const P w = norm * slope_over_u<Kernel>(r2, inverse_h);
+    const P approach = (vxi - d.vx[j]) * dx + (vyi - d.vy[j]) * dy + (vzi - d.vz[j]) * dz;
+    const P mu = pair_h * min(approach, P(T(0))) * reciprocal(r2 + T(0.01) * (pair_h * pair_h));
+    const P q = (density_i + d.density[j]) * mu * (half_beta * mu - half_alpha_c);
+    const P vw = d.volume[j] * w, qvw = q * vw;
+    fx += w * (d.flux[0][j] * dx + d.flux[1][j] * dy + d.flux[2][j] * dz), fx -= qvw * dx;
+    fy += w * (d.flux[3][j] * dx + d.flux[4][j] * dy + d.flux[5][j] * dz), fy -= qvw * dy;
+    fz += w * (d.flux[6][j] * dx + d.flux[7][j] * dy + d.flux[8][j] * dz), fz -= qvw * dz;
+    sx += vw * dx, sy += vw * dy, sz += vw * dz;
+    power += qvw * approach;
+  }
+  const auto own = [&](int k) { return load_pack(&d.flux[k][first]); };
+  const P volume_i = load_pack(&d.volume[first]);
+  return {volume_i * fx + own(0) * sx + own(1) * sy + own(2) * sz,
+          volume_i * fy + own(3) * sx + own(4) * sy + own(5) * sz,
+          volume_i * fz + own(6) * sx + own(7) * sy + own(8) * sz, T(0.5) * volume_i * power};
 }
 
-/// f_i = V_i sum_j V_j (G_i + G_j - rho_i rho_j Pi_ij I) grad W_ij, the transpose of the velocity gradient; G = sigma
-/// B.
-template <class Kernel, bool variable, class T>
-PairForces<T> pair_forces(const PairData<T> &d, Index i, std::span<const Index> neighbours, T h,
-                          const ArtificialViscosity<T> &viscosity) {
-  const T xi = d.x[i], yi = d.y[i], zi = d.z[i], vxi = d.vx[i], vyi = d.vy[i], vzi = d.vz[i];
-  const T density_i = d.density[i], hi = variable ? d.smoothing[i] : h, inverse_h = T(1) / h;
-  const T *const x = d.x.data(), *const y = d.y.data(), *const z = d.z.data();
-  const T *const vx = d.vx.data(), *const vy = d.vy.data(), *const vz = d.vz.data();
-  const T *const volume = d.volume.data(), *const density = d.density.data(), *const smoothing = d.smoothing.data();
-  const T *const gxx = d.flux[0].data(), *const gxy = d.flux[1].data(), *const gxz = d.flux[2].data();
-  const T *const gyx = d.flux[3].data(), *const gyy = d.flux[4].data(), *const gyz = d.flux[5].data();
-  const T *const gzx = d.flux[6].data(), *const gzy = d.flux[7].data(), *const gzz = d.flux[8].data();
-  const Index *const list = neighbours.data();
-  const Index rounds = static_cast<Index>(neighbours.size()) / row_multiple;
-  T fx{}, fy{}, fz{}, sx{}, sy{}, sz{}, power{};
-#pragma omp simd reduction(+ : fx, fy, fz, sx, sy, sz, power)
-  for (Index k = 0; k < rounds * row_multiple; ++k) {
-    const Index j = list[k];
-    const T dx = xi - x[j], dy = yi - y[j], dz = zi - z[j];
-    const T r2 = dx * dx + dy * dy + dz * dz;
-    const T pair_h = variable ? T(0.5) * (hi + smoothing[j]) : h;
-    const T w = gradient_over_r<Kernel>(r2, variable ? T(1) / pair_h : inverse_h);
-    const T approach = (vxi - vx[j]) * dx + (vyi - vy[j]) * dy + (vzi - vz[j]) * dz;
-    const T q = viscous_pressure(viscosity, approach, r2, pair_h, density_i, density[j]);
-    const T vw = volume[j] * w;
-    fx += w * (gxx[j] * dx + gxy[j] * dy + gxz[j] * dz) - q * vw * dx;
-    fy += w * (gyx[j] * dx + gyy[j] * dy + gyz[j] * dz) - q * vw * dy;
-    fz += w * (gzx[j] * dx + gzy[j] * dy + gzz[j] * dz) - q * vw * dz;
-    sx += vw * dx, sy += vw * dy, sz += vw * dz;
-    power += q * vw * approach;
-  }
-  const T volume_i = volume[i];
-  return {{volume_i * fx + gxx[i] * sx + gxy[i] * sy + gxz[i] * sz,
-           volume_i * fy + gyx[i] * sx + gyy[i] * sy + gyz[i] * sz,
-           volume_i * fz + gzx[i] * sx + gzy[i] * sy + gzz[i] * sz},
-          T(0.5) * volume_i * power};
+/// Brings what neighbours see of the stress up to date: G = sigma B times the volume, and the density.
+template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, Law, K, F> &body) {
+  PairData<T> &d = body.pair_data;
+  for_each_cluster(body.neighbours, [&](Index c) {
+    const Index first = c * lanes<T>, *const particle = &body.neighbours.order[first];
+    const MaterialPoints<T> &p = body.points;
+    const auto of_lanes = [&](auto &&value) { return pack_of<T>([&](Index lane) { return value(particle[lane]); }); };
+    const Pack<T> density = of_lanes([&](Index i) { return p.density[i]; });
+    const Pack<T> volume = of_lanes([&](Index i) { return body.point_mass[i]; }) / density;
+    const Pack<T> pressure = of_lanes([&](Index i) { return p.pressure[i]; });
+    const auto component = [&](T Sym3<T>::*m) { return of_lanes([&](Index i) { return p.deviator[i].*m; }); };
+    Mat3<Pack<T>> G = full(Sym3<Pack<T>>{component(&Sym3<T>::xx) - pressure, component(&Sym3<T>::yy) - pressure,
+                                         component(&Sym3<T>::zz) - pressure, component(&Sym3<T>::xy),
+                                         component(&Sym3<T>::yz), component(&Sym3<T>::zx)});
+    if constexpr (F::corrected) {
+      Mat3<Pack<T>> B;
+      for (int k = 0; k < 9; ++k) B(k / 3, k % 3) = load_pack(&d.correction[k][first]);
+      G = Mat3<Pack<T>>(G * B);
+    }
+    for (int k = 0; k < 9; ++k) store_pack(&d.flux[k][first], volume * G(k / 3, k % 3));
+    store_pack(&d.density[first], density);
+  });
+  for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
+    const std::array<T, 3> sign{image.flip_x ? T(-1) : T(1), image.flip_y ? T(-1) : T(1), T(1)};
+    for (int r = 0; r < 9; ++r) d.flux[r][k] = sign[r / 3] * sign[r % 3] * d.flux[r][image.place];
+    d.density[k] = d.density[image.place];
+  });
 }
 
 /// Adds the internal forces of the particles to their nodes, and the work of viscosity over `dt` (s) to its ledger.
 template <class T, class Law, class K, class F>
 void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
-  PairData<T> &d = body.pair_data;
-  for_particles_and_images(body, [&](Index k, Index i, const MirrorImage &image) {
-    const T volume = body.point_mass[i] / body.points.density[i];
-    Mat3<T> G = volume * full(body.points.deviator[i]) - volume * body.points.pressure[i] * Mat3<T>::Identity();
-    if constexpr (F::corrected) G = G * body.correction[i];
-    const std::array<T, 3> sign{image.flip_x ? T(-1) : T(1), image.flip_y ? T(-1) : T(1), T(1)};
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) d.flux[3 * r + c][k] = sign[r] * sign[c] * G(r, c);
-    d.density[k] = body.points.density[i];
-  });
+  gather_fluxes(body);
   const T h = reference_smoothing_length(body);
   const ArtificialViscosity<T> viscosity{body.options.linear_viscosity, body.options.quadratic_viscosity,
                                          sound_speed(body.metal)};
   const auto drive = [&](auto variable) {
-    parallel_for(body.points.size(), [&](Index i) {
-      const auto pairs = pair_forces<K, variable.value>(d, i, row(body.neighbours, i), h, viscosity);
-      nodes.force[body.nodes.begin + i] += pairs.force;
-      body.viscous_energy[i] += dt * pairs.viscous_power;
+    for_each_cluster(body.neighbours, [&](Index c) {
+      const auto pairs = pair_forces<K, variable.value>(body.pair_data, c, row(body.neighbours, c), h, viscosity);
+      for_each_lane(body, c, [&](Index i, Index lane) {
+        nodes.force[body.nodes.begin + i] += Vec3<T>(pairs.x[lane], pairs.y[lane], pairs.z[lane]);
+        body.viscous_energy[i] += dt * pairs.viscous_power[lane];
+      });
     });
   };
   body.options.variable_smoothing ? drive(std::true_type{}) : drive(std::false_type{});

@@ -7,13 +7,23 @@
 
 namespace ogive {
 
-/// Copies what neighbours see of the particles, and of their mirror images, into the pair data: `fill_one(k, i, image)`
-/// writes place k from particle i.
-template <class Body, class F> void for_particles_and_images(const Body &body, F &&fill_one) {
-  const Index n = body.points.size();
-  const auto &images = body.neighbours.images;
-  parallel_for(n, [&](Index i) { fill_one(i, i, MirrorImage{i, false, false}); });
-  parallel_for(static_cast<Index>(images.size()), [&](Index g) { fill_one(n + g, images[g].parent, images[g]); });
+/// Calls `f(c)` for each cluster, in parallel. `f` must write only what belongs to the cluster's particles.
+template <class T, class F> void for_each_cluster(const Neighbours<T> &n, F &&f) {
+  parallel_for_chunks(clusters(n), 16, [&](Index begin, Index end) {
+    for (Index c = begin; c < end; ++c) f(c);
+  });
+}
+
+/// Calls `f(k, image)` for each mirror image, at place k, in parallel.
+template <class T, class F> void for_each_image(const Neighbours<T> &n, F &&f) {
+  const Index places = static_cast<Index>(n.order.size());
+  parallel_for(static_cast<Index>(n.images.size()), [&](Index g) { f(places + g, n.images[g]); });
+}
+
+/// Calls `f(i, lane)` for each particle i of cluster c.
+template <class Body, class F> void for_each_lane(const Body &body, Index c, F &&f) {
+  const Index width = lanes<typename Body::Scalar>, first = c * width;
+  for (Index l = 0; l < std::min(width, body.points.size() - first); ++l) f(body.neighbours.order[first + l], l);
 }
 
 /// Smoothing length of particle i, m.
@@ -33,44 +43,51 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
   const T support = T(kernel_support) * h;
   if (are_stale(body.neighbours, x, body.symmetry, support)) {
     build_neighbours(body.neighbours, x, body.symmetry, support, body.options.skin_ratio * body.spacing);
-    resize(body.pair_data, n + body.neighbours.images.size());
+    resize(body.pair_data, body.neighbours.order.size() + body.neighbours.images.size());
+    if constexpr (F::corrected)
+      for (auto &B : body.pair_data.correction) B.resize(body.neighbours.order.size());
   }
   PairData<T> &d = body.pair_data;
-  for_particles_and_images(body, [&](Index k, Index i, const MirrorImage &image) {
-    const T sx = image.flip_x ? T(-1) : T(1), sy = image.flip_y ? T(-1) : T(1);
-    d.x[k] = sx * x[i][0], d.y[k] = sy * x[i][1], d.z[k] = x[i][2];
-    d.vx[k] = sx * v[i][0], d.vy[k] = sy * v[i][1], d.vz[k] = v[i][2];
-    d.density[k] = body.points.density[i];
-    d.volume[k] = kernel_volume(body, i);
+  const auto &order = body.neighbours.order;
+  parallel_for(static_cast<Index>(order.size()), [&](Index k) {
+    const Index i = order[k];
+    d.x[k] = x[i][0], d.y[k] = x[i][1], d.z[k] = x[i][2];
+    d.vx[k] = v[i][0], d.vy[k] = v[i][1], d.vz[k] = v[i][2];
+    d.volume[k] = kernel_volume(body, i), d.density[k] = body.points.density[i];
     if (body.options.variable_smoothing) d.smoothing[k] = smoothing_length(body, i);
+  });
+  for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
+    const Index i = image.place;
+    const T sx = image.flip_x ? T(-1) : T(1), sy = image.flip_y ? T(-1) : T(1);
+    d.x[k] = sx * d.x[i], d.y[k] = sy * d.y[i], d.z[k] = d.z[i];
+    d.vx[k] = sx * d.vx[i], d.vy[k] = sy * d.vy[i], d.vz[k] = d.vz[i];
+    d.volume[k] = d.volume[i], d.density[k] = d.density[i], d.smoothing[k] = d.smoothing[i];
   });
 }
 
-/// Sums over the neighbours of one particle.
+/// Sums over the neighbours of each particle of a cluster.
 template <class T> struct GradientSums {
-  Mat3<T> gradient; ///< sum of V_j (v_j - v_i) (x) grad W_ij, 1/s
-  Mat3<T> moment;   ///< M = -sum of V_j grad W_ij (x) x_ij
+  Mat3<Pack<T>> gradient; ///< sum of V_j (v_j - v_i) (x) grad W_ij, 1/s
+  Mat3<Pack<T>> moment;   ///< M = -sum of V_j grad W_ij (x) x_ij
 };
 
-/// The sums of particle i over the places `neighbours`. With `variable`, a pair's smoothing length is the mean of both.
+/// The sums of cluster c over the places `neighbours`. With `variable`, a pair's smoothing length is the mean of both.
 template <class Kernel, bool variable, class T>
-GradientSums<T> gradient_sums(const PairData<T> &d, Index i, std::span<const Index> neighbours, T h) {
-  const T xi = d.x[i], yi = d.y[i], zi = d.z[i], vxi = d.vx[i], vyi = d.vy[i], vzi = d.vz[i];
-  const T hi = variable ? d.smoothing[i] : h, inverse_h = T(1) / h;
-  const T *const x = d.x.data(), *const y = d.y.data(), *const z = d.z.data();
-  const T *const vx = d.vx.data(), *const vy = d.vy.data(), *const vz = d.vz.data();
-  const T *const volume = d.volume.data(), *const smoothing = d.smoothing.data();
-  const Index *const list = neighbours.data();
-  const Index rounds = static_cast<Index>(neighbours.size()) / row_multiple;
-  T lxx{}, lxy{}, lxz{}, lyx{}, lyy{}, lyz{}, lzx{}, lzy{}, lzz{}, mxx{}, myy{}, mzz{}, mxy{}, myz{}, mzx{};
-#pragma omp simd reduction(+ : lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, mxx, myy, mzz, mxy, myz, mzx)
-  for (Index k = 0; k < rounds * row_multiple; ++k) {
-    const Index j = list[k];
-    const T dx = xi - x[j], dy = yi - y[j], dz = zi - z[j];
-    const T inv_h = variable ? T(2) / (hi + smoothing[j]) : inverse_h;
-    const T w = volume[j] * gradient_over_r<Kernel>(dx * dx + dy * dy + dz * dz, inv_h);
-    const T gx = w * dx, gy = w * dy, gz = w * dz;
-    const T ux = vx[j] - vxi, uy = vy[j] - vyi, uz = vz[j] - vzi;
+GradientSums<T> gradient_sums(const PairData<T> &d, Index c, std::span<const Index> neighbours, T h) {
+  using P = Pack<T>;
+  const Index first = c * lanes<T>;
+  const P xi = load_pack(&d.x[first]), yi = load_pack(&d.y[first]), zi = load_pack(&d.z[first]);
+  const P vxi = load_pack(&d.vx[first]), vyi = load_pack(&d.vy[first]), vzi = load_pack(&d.vz[first]);
+  const P hi = variable ? load_pack(&d.smoothing[first]) : P(h);
+  const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
+  P lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, mxx, myy, mzz, mxy, myz, mzx;
+  for (const Index j : neighbours) {
+    const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
+    const P inverse_h = variable ? T(2) / (hi + d.smoothing[j]) : fixed_inverse;
+    const P norm = variable ? gradient_norm<Kernel>(inverse_h) : fixed_norm;
+    const P w = norm * d.volume[j] * slope_over_u<Kernel>(dx * dx + dy * dy + dz * dz, inverse_h);
+    const P gx = w * dx, gy = w * dy, gz = w * dz;
+    const P ux = d.vx[j] - vxi, uy = d.vy[j] - vyi, uz = d.vz[j] - vzi;
     lxx += ux * gx, lxy += ux * gy, lxz += ux * gz;
     lyx += uy * gx, lyy += uy * gy, lyz += uy * gz;
     lzx += uz * gx, lzy += uz * gy, lzz += uz * gz;
@@ -83,35 +100,41 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Index i, std::span<const Ind
   return sums;
 }
 
-/// True if all eigenvalues of the symmetric matrix `m` lie above `bound` (Sylvester's criterion for m - bound I).
-template <class T> bool eigenvalues_above(const Mat3<T> &m, T bound) {
-  const T a = m(0, 0) - bound, b = m(1, 1) - bound, c = m(2, 2) - bound;
-  const T minor = a * b - m(0, 1) * m(0, 1);
-  const T det = a * (b * c - m(1, 2) * m(1, 2)) - m(0, 1) * (m(0, 1) * c - m(1, 2) * m(0, 2)) +
+/// True if all eigenvalues of the symmetric matrix `m` lie above `bound` (Sylvester's criterion for m - bound I). A
+/// mask for packs.
+template <class N> auto eigenvalues_above(const Mat3<N> &m, N bound) {
+  const N a = m(0, 0) - bound, b = m(1, 1) - bound, c = m(2, 2) - bound;
+  const N minor = a * b - m(0, 1) * m(0, 1);
+  const N det = a * (b * c - m(1, 2) * m(1, 2)) - m(0, 1) * (m(0, 1) * c - m(1, 2) * m(0, 2)) +
                 m(0, 2) * (m(0, 1) * m(1, 2) - b * m(0, 2));
-  return a > T(0) && minor > T(0) && det > T(0);
+  return (a > N(0)) & (minor > N(0)) & (det > N(0));
 }
 
 /// B = M^-1 where neighbours surround the particle: all eigenvalues of M above 0.15 and their mean below 1.5; else the
 /// identity (lone particles, strings, sheets). The highest frequency of a particle grows with the square root of B's
 /// largest eigenvalue, so that the bound keeps the time step stable. On a lattice the smallest eigenvalue is 1 inside
 /// and 0.24 at a corner, so that all free surfaces are corrected.
-template <class T> Mat3<T> correction_matrix(const Mat3<T> &moment) {
-  const bool surrounded = eigenvalues_above(moment, T(0.15)) && moment.trace() < T(4.5);
-  return surrounded ? inverse(moment) : Mat3<T>(Mat3<T>::Identity());
+template <class N> Mat3<N> correction_matrix(const Mat3<N> &moment) {
+  const auto surrounded = eigenvalues_above(moment, N(0.15)) & (moment(0, 0) + moment(1, 1) + moment(2, 2) < N(4.5));
+  Mat3<N> B = inverse(moment);
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) B(r, c) = select(surrounded, B(r, c), N(r == c ? 1 : 0));
+  return B;
 }
 
 /// Velocity gradient at every particle: L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] B_i; B = I in the standard form.
 template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T, Law, K, F> &body, const Nodes<T> &) {
   const T h = reference_smoothing_length(body);
   const auto drive = [&](auto variable) {
-    parallel_for(body.points.size(), [&](Index i) {
-      const auto sums = gradient_sums<K, variable.value>(body.pair_data, i, row(body.neighbours, i), h);
+    for_each_cluster(body.neighbours, [&](Index c) {
+      const auto sums = gradient_sums<K, variable.value>(body.pair_data, c, row(body.neighbours, c), h);
       if constexpr (F::corrected) {
-        body.correction[i] = correction_matrix(sums.moment);
-        body.points.velocity_gradient[i].noalias() = sums.gradient * body.correction[i];
+        const Mat3<Pack<T>> B = correction_matrix(sums.moment), L = sums.gradient * B;
+        for (int k = 0; k < 9; ++k) store_pack(&body.pair_data.correction[k][c * lanes<T>], B(k / 3, k % 3));
+        for_each_lane(body, c, [&](Index i, Index lane) { body.points.velocity_gradient[i] = lane_of(L, lane); });
       } else {
-        body.points.velocity_gradient[i] = sums.gradient;
+        for_each_lane(body, c,
+                      [&](Index i, Index lane) { body.points.velocity_gradient[i] = lane_of(sums.gradient, lane); });
       }
     });
   };

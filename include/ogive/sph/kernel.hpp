@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ogive/core/pack.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -7,13 +9,14 @@
 
 namespace ogive {
 
-/// A smoothing kernel in three dimensions with support 2h: W(r) = norm/h^3 w(r/h). It gives w(u) and (dw/du)/u; both
-/// are zero for u >= 2.
+/// A smoothing kernel in three dimensions with support 2h: W(r) = norm/h^3 w(r/h). It gives w(u), and (dw/du)/u from u
+/// and 1/u; both are zero for u >= 2. They are templates of the number type: packs of numbers go through them too.
 template <class K>
-concept SmoothingKernel = requires(double u) {
+concept SmoothingKernel = requires(double u, Pack<double> p) {
   { K::norm } -> std::convertible_to<double>;
   { K::shape(u) } -> std::same_as<double>;
-  { K::slope_over_u(u) } -> std::same_as<double>;
+  { K::slope_over_u(u, u) } -> std::same_as<double>;
+  { K::slope_over_u(p, p) } -> std::same_as<Pack<double>>;
 };
 
 /// Radius of support over the smoothing length, the same for all kernels.
@@ -26,9 +29,12 @@ struct CubicSpline {
     const T far = std::max(T(2) - u, T(0)), near = std::max(T(1) - u, T(0));
     return T(0.25) * far * far * far - near * near * near;
   }
-  template <class T> static T slope_over_u(T u) {
-    const T far = std::max(T(2) - u, T(0)), near = std::max(T(1) - u, T(0));
-    return (T(3) * near * near - T(0.75) * far * far) / u;
+  template <class T> static T slope_over_u(T u, T inverse_u) {
+    using std::max;
+    // Scaled so that their squares need no factor: 3 (1 - u)^2 - 3/4 (2 - u)^2.
+    constexpr double root3 = std::numbers::sqrt3;
+    const T far = max(T(root3) - T(0.5 * root3) * u, T(0)), near = max(T(root3) - T(root3) * u, T(0));
+    return (near * near - far * far) * inverse_u;
   }
 };
 
@@ -39,8 +45,9 @@ struct WendlandC2 {
     const T s = std::max(T(1) - T(0.5) * u, T(0));
     return s * s * s * s * (T(2) * u + T(1));
   }
-  template <class T> static T slope_over_u(T u) {
-    const T s = std::max(T(1) - T(0.5) * u, T(0));
+  template <class T> static T slope_over_u(T u, T) {
+    using std::max;
+    const T s = max(T(1) - T(0.5) * u, T(0));
     return T(-5) * s * s * s;
   }
 };
@@ -50,11 +57,23 @@ template <class Kernel, class T> T kernel_value(T r, T h) {
   return T(Kernel::norm) / (h * h * h) * Kernel::shape(r / h);
 }
 
+/// Norm of (dW/dr)/r, 1/m5, from 1/h.
+template <class Kernel, class T> T gradient_norm(T inverse_h) {
+  const T h2 = inverse_h * inverse_h;
+  return T(Kernel::norm) * h2 * h2 * inverse_h;
+}
+
+/// (dw/du)/u from r^2 and 1/h; u = r/h is not taken below 1e-6, so that it is finite at r = 0. Its last bits do not
+/// matter: pairs are antisymmetric and corrected gradients exact with any kernel.
+template <class Kernel, class T> T slope_over_u(T r_squared, T inverse_h) {
+  using std::max;
+  const T u_squared = max(r_squared * (inverse_h * inverse_h), T(1e-12)), inverse_u = inverse_sqrt(u_squared);
+  return Kernel::slope_over_u(u_squared * inverse_u, inverse_u);
+}
+
 /// (dW/dr)/r in 1/m5, from r^2 and 1/h: grad_i W_ij = gradient_over_r * (x_i - x_j). Finite at r = 0.
 template <class Kernel, class T> T gradient_over_r(T r_squared, T inverse_h) {
-  const T u = std::sqrt(std::max(r_squared * inverse_h * inverse_h, T(1e-12)));
-  const T h2 = inverse_h * inverse_h;
-  return T(Kernel::norm) * h2 * h2 * inverse_h * Kernel::slope_over_u(u);
+  return gradient_norm<Kernel>(inverse_h) * slope_over_u<Kernel>(r_squared, inverse_h);
 }
 
 } // namespace ogive

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "ogive/core/pack.hpp"
 #include "ogive/core/parallel.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/core/types.hpp"
+#include "ogive/sph/cell_grid.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -15,28 +17,40 @@ namespace ogive {
 
 /// Mirror image of a particle: `flip_x` mirrors at x = 0, `flip_y` at y = 0.
 struct MirrorImage {
-  Index parent = 0;
+  Index parent = 0; ///< particle
+  Index place = 0;  ///< of the parent
   bool flip_x = false;
   bool flip_y = false;
 };
 
-/// Rows of a neighbour list are padded to a multiple of this with the particle itself, which contributes nothing.
-inline constexpr Index row_multiple = 8;
-
-/// Neighbour lists (CSR): row i lists all particles and mirror images within `reach` of particle i when the lists were
-/// built; index n + g is mirror image g.
+/// Neighbour lists of clusters: `lanes<T>` particles that lie close together share one list, so that a loop works on
+/// all of them at once with one neighbour after the other. Particles have places along a curve that keeps near ones
+/// together; cluster c has the places from c * lanes<T>. Mirror images have the places behind all clusters.
 template <class T> struct Neighbours {
-  std::vector<std::int64_t> row_begin; ///< n + 1
-  std::vector<Index> list;
-  std::vector<MirrorImage> images;
-  std::vector<Vec3<T>> built_at; ///< positions at the time of building, m
-  T support = T(0);              ///< distance within which the lists must be complete, m
-  T reach = T(0);                ///< support plus skin, m
+  std::vector<Index> order;                ///< particle of each place; the last cluster is filled up with its last one
+  std::vector<MirrorImage> images;         ///< image g has the place order.size() + g
+  std::vector<std::int64_t> cluster_begin; ///< number of clusters + 1
+  std::vector<Index> list;                 ///< places
+  std::vector<Vec3<T>> built_at;           ///< positions at the time of building, m
+  T support = T(0);                        ///< distance within which the lists must be complete, m
+  T reach = T(0);                          ///< support plus skin, m
 };
 
-/// Row of particle i.
-template <class T> std::span<const Index> row(const Neighbours<T> &n, Index i) {
-  return {n.list.data() + n.row_begin[i], static_cast<std::size_t>(n.row_begin[i + 1] - n.row_begin[i])};
+/// Number of clusters.
+template <class T> Index clusters(const Neighbours<T> &n) { return static_cast<Index>(n.order.size()) / lanes<T>; }
+
+/// Places of all particles and images within reach of some particle of cluster c, the cluster's own ones included.
+template <class T> std::span<const Index> row(const Neighbours<T> &n, Index c) {
+  return {n.list.data() + n.cluster_begin[c], static_cast<std::size_t>(n.cluster_begin[c + 1] - n.cluster_begin[c])};
+}
+
+/// Calls `f(i, j)` once for each two particles i < j that a list brings together, and maybe for some farther apart.
+template <class T, class F> void for_each_neighbour_pair(const Neighbours<T> &n, F &&f) {
+  const Index places = static_cast<Index>(n.order.size()), count = static_cast<Index>(n.built_at.size());
+  for (Index c = 0; c < clusters(n); ++c)
+    for (Index k = c * lanes<T>; k < std::min(count, (c + 1) * lanes<T>); ++k)
+      for (const Index place : row(n, c))
+        if (place < places && n.order[k] < n.order[place]) f(n.order[k], n.order[place]);
 }
 
 /// Position of a mirror image, m.
@@ -44,73 +58,94 @@ template <class T> Vec3<T> mirrored(const Vec3<T> &x, const MirrorImage &image) 
   return {image.flip_x ? -x[0] : x[0], image.flip_y ? -x[1] : x[1], x[2]};
 }
 
-/// Particles and images sorted into cubic cells, x fastest, so that three neighbouring cells are one contiguous range.
-template <class T> struct CellGrid {
-  Vec3<T> origin;
-  T inverse_size = T(0);
-  std::array<Index, 3> cells{};
-  std::vector<Index> cell_begin; ///< number of cells + 1
-  std::vector<Index> order;      ///< particle or image of each sorted place
-  std::vector<T> x, y, z;        ///< sorted positions, m
-};
-
-/// Sorts `positions` into cells not smaller than `size` (m); few, larger cells where the points are spread widely.
-template <class T> CellGrid<T> sort_into_cells(const std::vector<Vec3<T>> &positions, T size) {
-  const auto n = positions.size();
+/// The particles sorted into columns along z of the width `width` (m) or wider, and by z within: near ones stand close
+/// together.
+template <class T> std::vector<Index> column_order(std::span<const Vec3<T>> positions, T width) {
   Vec3<T> low = positions[0], high = positions[0];
   for (const auto &p : positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  CellGrid<T> grid;
-  grid.origin = low;
-  const double limit = 8.0 * static_cast<double>(n) + 4096.0;
-  for (;; size *= T(1.5)) {
-    double total = 1;
-    for (int d = 0; d < 3; ++d) total *= std::floor(double(high[d] - low[d]) / double(size)) + 1.0;
-    if (!(total > limit)) break;
-  }
-  grid.inverse_size = T(1) / size;
-  for (int d = 0; d < 3; ++d) grid.cells[d] = static_cast<Index>((high[d] - low[d]) * grid.inverse_size) + 1;
-
-  std::vector<Index> cell(n);
-  grid.cell_begin.assign(static_cast<std::size_t>(grid.cells[0]) * grid.cells[1] * grid.cells[2] + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::array<Index, 3> c;
-    for (int d = 0; d < 3; ++d)
-      c[d] = std::min(static_cast<Index>((positions[i][d] - low[d]) * grid.inverse_size), grid.cells[d] - 1);
-    cell[i] = c[0] + grid.cells[0] * (c[1] + grid.cells[1] * c[2]);
-    ++grid.cell_begin[cell[i] + 1];
-  }
-  for (std::size_t c = 1; c < grid.cell_begin.size(); ++c) grid.cell_begin[c] += grid.cell_begin[c - 1];
-  std::vector<Index> next(grid.cell_begin.begin(), grid.cell_begin.end() - 1);
-  grid.order.resize(n), grid.x.resize(n), grid.y.resize(n), grid.z.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Index k = next[cell[i]]++;
-    grid.order[k] = static_cast<Index>(i);
-    grid.x[k] = positions[i][0], grid.y[k] = positions[i][1], grid.z[k] = positions[i][2];
-  }
-  return grid;
+  const T inverse = T(1) / std::max(width, (high - low).maxCoeff() / T(60000));
+  struct Place {
+    std::uint32_t column;
+    T z;
+    Index particle;
+  };
+  const Index n = static_cast<Index>(positions.size());
+  std::vector<Place> places(n);
+  parallel_for(n, [&](Index i) {
+    const Vec3<T> p = (positions[i] - low) * inverse;
+    places[i] = {static_cast<std::uint32_t>(p[0]) << 16 | static_cast<std::uint32_t>(p[1]), p[2], i};
+  });
+  std::sort(places.begin(), places.end(), [](const Place &a, const Place &b) {
+    return a.column != b.column ? a.column < b.column : a.z != b.z ? a.z < b.z : a.particle < b.particle;
+  });
+  std::vector<Index> order(n);
+  for (Index k = 0; k < n; ++k) order[k] = places[k].particle;
+  return order;
 }
 
-/// Appends to `found` all points of the grid within `reach` of `p` except `self`, in the grid's order.
+/// Points that may be near a cluster, in a multiple of a pack.
+template <class T> struct Candidates {
+  std::vector<Index> place;
+  std::vector<T> x, y, z;
+};
+
+/// The points of the grid whose cells lie within `reach` of the box from `low` to `high` (m).
 template <class T>
-void append_within(const CellGrid<T> &grid, const Vec3<T> &p, T reach, Index self, std::vector<Index> &found) {
-  std::array<Index, 3> c;
-  for (int d = 0; d < 3; ++d)
-    c[d] = std::clamp(static_cast<Index>((p[d] - grid.origin[d]) * grid.inverse_size), Index(0), grid.cells[d] - 1);
-  const Index x0 = std::max(c[0] - 1, 0), x1 = std::min(c[0] + 1, grid.cells[0] - 1);
-  const T reach2 = reach * reach;
-  for (Index cz = std::max(c[2] - 1, 0); cz <= std::min(c[2] + 1, grid.cells[2] - 1); ++cz)
-    for (Index cy = std::max(c[1] - 1, 0); cy <= std::min(c[1] + 1, grid.cells[1] - 1); ++cy) {
+void gather_candidates(const CellGrid<T> &grid, const Vec3<T> &low, const Vec3<T> &high, T reach,
+                       Candidates<T> &found) {
+  std::array<Index, 3> first, last;
+  for (int d = 0; d < 3; ++d) {
+    const auto cell = [&](T x) {
+      return static_cast<Index>(std::clamp((x - grid.origin[d]) * grid.inverse_size, T(0), T(grid.cells[d] - 1)));
+    };
+    first[d] = cell(low[d] - reach), last[d] = cell(high[d] + reach);
+  }
+  found.place.clear(), found.x.clear(), found.y.clear(), found.z.clear();
+  const T size = T(1) / grid.inverse_size;
+  const auto gap = [&](int d, Index c) {
+    const T from = grid.origin[d] + T(c) * size;
+    return std::max({low[d] - (from + size), from - high[d], T(0)});
+  };
+  for (Index cz = first[2]; cz <= last[2]; ++cz)
+    for (Index cy = first[1]; cy <= last[1]; ++cy) {
+      // The last cell of a row may hold points beyond its own size only through round-off: a thousandth is room enough.
+      const T gap2 = gap(1, cy) * gap(1, cy) + gap(2, cz) * gap(2, cz);
+      if (gap2 > T(1.002) * reach * reach) continue;
       const Index line = grid.cells[0] * (cy + grid.cells[1] * cz);
-      const Index begin = grid.cell_begin[line + x0], end = grid.cell_begin[line + x1 + 1];
-      auto count = found.size();
-      found.resize(count + static_cast<std::size_t>(end - begin));
-      for (Index k = begin; k < end; ++k) {
-        const T dx = grid.x[k] - p[0], dy = grid.y[k] - p[1], dz = grid.z[k] - p[2];
-        found[count] = grid.order[k];
-        count += (dx * dx + dy * dy + dz * dz < reach2) & (grid.order[k] != self);
-      }
-      found.resize(count);
+      const Index begin = grid.cell_begin[line + first[0]], end = grid.cell_begin[line + last[0] + 1];
+      found.place.insert(found.place.end(), grid.order.begin() + begin, grid.order.begin() + end);
+      found.x.insert(found.x.end(), grid.x.begin() + begin, grid.x.begin() + end);
+      found.y.insert(found.y.end(), grid.y.begin() + begin, grid.y.begin() + end);
+      found.z.insert(found.z.end(), grid.z.begin() + begin, grid.z.begin() + end);
     }
+  while (found.place.size() % lanes<T>) {
+    found.place.push_back(-1);
+    found.x.push_back(high[0] + T(2) * reach), found.y.push_back(high[1]), found.z.push_back(high[2]);
+  }
+}
+
+/// Appends to `list` the candidates within `reach` (m) of one of the `members`, in their order.
+template <class T>
+void append_near(const Candidates<T> &candidates, std::span<const Vec3<T>, lanes<T>> members, T reach,
+                 std::vector<Index> &list) {
+  const std::size_t n = candidates.place.size();
+  std::size_t count = list.size();
+  list.resize(count + n);
+  for (std::size_t k = 0; k < n; k += lanes<T>) {
+    const Pack<T> x = load_pack(&candidates.x[k]), y = load_pack(&candidates.y[k]), z = load_pack(&candidates.z[k]);
+    Pack<T> nearest = reach * reach;
+    for (const Vec3<T> &p : members) {
+      const Pack<T> dx = x - p[0], dy = y - p[1], dz = z - p[2];
+      nearest = min(dx * dx + dy * dy + dz * dz, nearest);
+    }
+    std::array<T, lanes<T>> distance;
+    store_pack(distance.data(), nearest);
+    for (Index l = 0; l < lanes<T>; ++l) {
+      list[count] = candidates.place[k + l];
+      count += distance[l] < reach * reach;
+    }
+  }
+  list.resize(count);
 }
 
 /// Mirror images of all particles that another one can have within `reach` (m). A particle may have been pushed across
@@ -123,7 +158,7 @@ std::vector<MirrorImage> mirror_images(std::span<const Vec3<T>> positions, Symme
   const auto add = [&](bool flip_x, bool flip_y) {
     for (std::size_t i = 0; i < positions.size(); ++i)
       if ((!flip_x || positions[i][0] < reach + behind[0]) && (!flip_y || positions[i][1] < reach + behind[1]))
-        images.push_back({static_cast<Index>(i), flip_x, flip_y});
+        images.push_back({static_cast<Index>(i), 0, flip_x, flip_y});
   };
   if (planes.x) add(true, false);
   if (planes.y) add(false, true);
@@ -139,33 +174,54 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   n.reach = support + skin;
   n.images = mirror_images(positions, planes, n.reach);
   n.built_at.assign(positions.begin(), positions.end());
-  std::vector<Vec3<T>> all(positions.begin(), positions.end());
-  for (const MirrorImage &image : n.images) all.push_back(mirrored(all[image.parent], image));
-  const CellGrid<T> grid = sort_into_cells(all, n.reach);
-
+  // As wide as a cube that holds a cluster, where the support holds about 58 particles.
+  n.order = column_order(positions, std::cbrt(T(lanes<T>)) * support / T(2.4));
   const Index count = static_cast<Index>(positions.size());
-  constexpr Index chunk = 256;
-  std::vector<std::vector<Index>> chunk_rows((count + chunk - 1) / chunk);
-  n.row_begin.assign(count + 1, 0);
-  parallel_for_chunks(count, chunk, [&](Index begin, Index end) {
+  std::vector<Index> place_of(count);
+  for (Index k = 0; k < count; ++k) place_of[n.order[k]] = k;
+  for (MirrorImage &image : n.images) image.place = place_of[image.parent];
+  std::vector<Vec3<T>> at_place(n.order.size() + n.images.size());
+  for (Index k = 0; k < count; ++k) at_place[k] = positions[n.order[k]];
+  for (std::size_t g = 0; g < n.images.size(); ++g)
+    at_place[count + g] = mirrored(positions[n.images[g].parent], n.images[g]);
+  CellGrid<T> grid = sort_into_cells(at_place, n.reach / T(2));
+  while (n.order.size() % lanes<T>) n.order.push_back(n.order.back());
+  const Index fill = static_cast<Index>(n.order.size()) - count;
+  for (Index &place : grid.order) place += place < count ? 0 : fill;
+
+  constexpr Index chunk = 32;
+  const Index total = clusters(n);
+  std::vector<std::vector<Index>> chunk_rows((total + chunk - 1) / chunk);
+  n.cluster_begin.assign(total + 1, 0);
+  parallel_for_chunks(total, chunk, [&](Index begin, Index end) {
     auto &rows = chunk_rows[begin / chunk];
-    rows.reserve(static_cast<std::size_t>(end - begin) * 128);
-    for (Index i = begin; i < end; ++i) {
-      append_within(grid, all[i], n.reach, i, rows);
-      while (rows.size() % row_multiple) rows.push_back(i);
-      n.row_begin[i + 1] = static_cast<std::int64_t>(rows.size());
+    rows.reserve(static_cast<std::size_t>(end - begin) * 256);
+    Candidates<T> candidates;
+    std::array<Vec3<T>, lanes<T>> members;
+    for (Index c = begin; c < end; ++c) {
+      for (Index l = 0; l < lanes<T>; ++l) members[l] = positions[n.order[c * lanes<T> + l]];
+      Vec3<T> low = members[0], high = low;
+      for (const Vec3<T> &p : members) low = low.cwiseMin(p), high = high.cwiseMax(p);
+      gather_candidates(grid, low, high, n.reach, candidates);
+      append_near<T>(candidates, members, n.reach, rows);
+      n.cluster_begin[c + 1] = static_cast<std::int64_t>(rows.size());
     }
   });
   std::int64_t offset = 0;
-  for (Index begin = 0; begin < count; begin += chunk) {
-    const Index end = std::min(count, begin + chunk);
-    for (Index i = begin; i < end; ++i) n.row_begin[i + 1] += offset;
-    offset = n.row_begin[end];
+  for (Index begin = 0; begin < total; begin += chunk) {
+    const Index end = std::min(total, begin + chunk);
+    for (Index c = begin; c < end; ++c) n.cluster_begin[c + 1] += offset;
+    offset = n.cluster_begin[end];
+  }
+  // Growth by doubling would keep room for twice as many.
+  if (n.list.capacity() < static_cast<std::size_t>(offset)) {
+    n.list = {};
+    n.list.reserve(static_cast<std::size_t>(offset + offset / 16));
   }
   n.list.resize(static_cast<std::size_t>(offset));
-  parallel_for_chunks(count, chunk, [&](Index begin, Index) {
+  parallel_for_chunks(total, chunk, [&](Index begin, Index) {
     const auto &rows = chunk_rows[begin / chunk];
-    std::copy(rows.begin(), rows.end(), n.list.begin() + n.row_begin[begin]);
+    std::copy(rows.begin(), rows.end(), n.list.begin() + n.cluster_begin[begin]);
   });
 }
 

@@ -7,15 +7,15 @@
 
 namespace ogive {
 
-/// What a particle shows to its neighbours, one array for each quantity so that loops over neighbours vectorise. The
-/// particles come first, their mirror images after them.
+/// What particles and their mirror images show to their neighbours, one array for each quantity, by places.
 template <class T> struct PairData {
-  std::vector<T> x, y, z;             ///< m
-  std::vector<T> vx, vy, vz;          ///< m/s
-  std::vector<T> volume;              ///< m3
-  std::vector<T> density;             ///< kg/m3
-  std::vector<T> smoothing;           ///< m, used with variable smoothing length only
-  std::array<std::vector<T>, 9> flux; ///< corrected stress G = sigma B times the volume, row first, N m
+  std::vector<T> x, y, z;                   ///< m
+  std::vector<T> vx, vy, vz;                ///< m/s
+  std::vector<T> volume;                    ///< m3
+  std::vector<T> density;                   ///< kg/m3
+  std::vector<T> smoothing;                 ///< m, used with variable smoothing length only
+  std::array<std::vector<T>, 9> correction; ///< B, row first; of particles only, empty for the standard form
+  std::array<std::vector<T>, 9> flux;       ///< corrected stress G = sigma B times the volume, row first, N m
 };
 
 template <class T> void resize(PairData<T> &d, std::size_t n) {
