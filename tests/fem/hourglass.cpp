@@ -13,7 +13,9 @@ TEST_CASE("hourglass control does not resist linear fields of distorted hexes", 
   for (Index n = 0; n < s.nodes.size(); ++n) s.nodes.velocity[n] = 100 * (L * s.nodes.position[n]) + V(1, 2, 3);
   compute_forces(s, 1e-8);
   // Round-off of velocities of 30 m/s.
-  for (const auto &motion : s.body.hourglass_motion) CHECK(motion.rate.cwiseAbs().maxCoeff() < 1e-12);
+  for (const auto &motion : s.body.hourglass_motion)
+    for (int k = 0; k < 12; ++k)
+      for (Index lane = 0; lane < lanes<double>; ++lane) CHECK(std::abs(motion.rate.data()[k][lane]) < 1e-12);
   CHECK(hourglass_energy(s.body) < 1e-20 * std::abs(internal_energy(s.body)));
 }
 

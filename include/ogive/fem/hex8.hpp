@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
+#include <numbers>
 
 /// \file
 /// Pure functions of one trilinear eight-node hex. Corner a lies at (xi, eta, zeta) = `hex_corner<T>(a)` in [-1, 1]^3.
@@ -28,7 +28,7 @@ template <class T> Vec3<T> hex_corner(int a) {
 }
 
 /// The point p of the 2x2x2 Gauss rule, next to corner p; all weights are 1.
-template <class T> Vec3<T> gauss_point(int p) { return hex_corner<T>(p) / std::sqrt(T(3)); }
+template <class T> Vec3<T> gauss_point(int p) { return hex_corner<T>(p) * T(1 / std::numbers::sqrt3); }
 
 /// Trilinear shape functions N_a at the natural coordinates xi; they add up to one.
 template <class T> CornerWeights<T> shape_functions(const Vec3<T> &xi) {
@@ -171,7 +171,7 @@ template <class T> Mat3<T> mean_velocity_gradient(const MeanGradient<T> &mean, c
 template <class T> Mat3<T> b_bar_velocity_gradient(const PointGradient<T> &point, T mean_trace, const Corners<T> &v) {
   Mat3<T> L = v.transpose() * point.gradient;
   const T correction = (mean_trace - (L(0, 0) + L(1, 1) + L(2, 2))) / T(3);
-  L.diagonal().array() += correction;
+  for (int k = 0; k < 3; ++k) L(k, k) += correction;
   return L;
 }
 

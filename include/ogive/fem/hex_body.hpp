@@ -59,10 +59,10 @@ template <class T, class Law, class Rule = OnePoint> struct HexBody {
   std::vector<T> viscous_energy;                  ///< J, work of bulk viscosity
   std::vector<std::array<T, 8>> corner_mass;      ///< kg, the hex's share of its nodes' masses, mass scaling included
 
-  // Made anew in each step by velocity_gradient and add_internal_force.
-  std::vector<MeanGradient<T>> mean_gradient;
-  std::vector<HourglassMotion<T>> hourglass_motion; ///< empty with SelectiveReduced
-  std::vector<Vec3<T>> corner_force;                ///< N, entry 8 * hex + corner
+  // Made anew in each step by velocity_gradient and add_internal_force; `lanes<T>` hexes make a pack.
+  std::vector<MeanGradient<Pack<T>>> mean_gradient;
+  std::vector<HourglassMotion<Pack<T>>> hourglass_motion; ///< empty with SelectiveReduced
+  std::vector<Vec3<T>> corner_force;                      ///< N, entry 8 * hex + corner
   CornersOfNodes corners_of_nodes;
 };
 
@@ -83,6 +83,16 @@ template <class T> Corners<T> gather_corners(const std::vector<Vec3<T>> &field, 
     values(a, 0) = value[0], values(a, 1) = value[1], values(a, 2) = value[2];
   }
   return values;
+}
+
+/// Number of packs that hold all hexes of a body; the last one may repeat the last hex.
+template <class T, class Law, class Rule> Index packs(const HexBody<T, Law, Rule> &body) {
+  return (static_cast<Index>(body.hexes.size()) + lanes<T> - 1) / lanes<T>;
+}
+
+/// The hex in a lane of a pack.
+template <class T, class Law, class Rule> Index hex_in(const HexBody<T, Law, Rule> &body, Index pack, Index lane) {
+  return std::min(pack * lanes<T> + lane, static_cast<Index>(body.hexes.size()) - 1);
 }
 
 /// The list of corners that meet at each node of the range.
@@ -131,24 +141,24 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
   body.viscous_pressure.assign(count, T(0));
   body.viscous_energy.assign(count, T(0));
   body.corner_mass.resize(count);
-  body.mean_gradient.resize(count);
+  body.mean_gradient.resize(packs(body));
   body.corner_force.assign(8 * count, Vec3<T>::Zero());
   body.corners_of_nodes = corners_of_nodes(body.hexes, body.nodes);
   if constexpr (Rule::points == 1) {
     body.hourglass_force.assign(count, HourglassModes<T>::Zero());
-    body.hourglass_motion.resize(count);
+    body.hourglass_motion.resize(packs(body));
   }
 
   for (Index e = 0; e < count; ++e) {
     const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
-    body.mean_gradient[e] = mean_gradient<T>(x);
+    const T hex_volume = mean_gradient<T>(x).volume;
     const CornerWeights<T> share = metal.density * lumped_volumes<T>(x);
     for (int a = 0; a < 8; ++a) {
       body.corner_mass[e][a] = share[a];
       nodes.mass[body.hexes[e][a]] += share[a];
     }
     for (int p = 0; p < Rule::points; ++p) {
-      const T volume = Rule::points == 1 ? body.mean_gradient[e].volume : point_gradient<T>(x, p).volume;
+      const T volume = Rule::points == 1 ? hex_volume : point_gradient<T>(x, p).volume;
       body.point_mass[e * Rule::points + p] = metal.density * volume;
     }
   }

@@ -11,112 +11,190 @@ namespace ogive {
 /// Nothing to prepare: hexes keep their neighbours.
 template <class T, class Law, class Rule> void prepare(HexBody<T, Law, Rule> &, const Nodes<T> &) {}
 
-/// Takes the rates from a removed hex, whose corners may be anywhere.
-template <class T, class Law, class Rule> void stop_motion(HexBody<T, Law, Rule> &body, Index e) {
-  for (int p = 0; p < Rule::points; ++p) body.points.velocity_gradient[e * Rule::points + p].setZero();
-  if constexpr (Rule::points == 1) body.hourglass_motion[e].rate.setZero();
+/// Corner values of a node field for a pack of hexes.
+template <class T, class Law, class Rule>
+Corners<Pack<T>> gather_corners(const HexBody<T, Law, Rule> &body, const std::vector<Vec3<T>> &field, Index pack) {
+  Corners<Pack<T>> values;
+  for (int a = 0; a < 8; ++a) {
+    std::array<const T *, lanes<T>> at;
+    for (Index l = 0; l < lanes<T>; ++l) at[l] = field[body.hexes[hex_in(body, pack, l)][a]].data();
+    for (int d = 0; d < 3; ++d) values(a, d) = pack_of<T>([&](Index l) { return at[l][d]; });
+  }
+  return values;
+}
+
+/// Positions of the corners of a pack of hexes, m. Those of removed hexes may be anywhere: they count as at rest in a
+/// cube, so that all that follows from them is finite.
+template <class T, class Law, class Rule>
+Corners<Pack<T>> corner_positions(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack) {
+  Corners<Pack<T>> x = gather_corners(body, nodes.position, pack);
+  if (body.metal.damage.effect != FailureEffect::removal) return x;
+  for (int a = 0; a < 8; ++a)
+    for (int d = 0; d < 3; ++d)
+      x(a, d) = pack_of<T>(
+          [&](Index l) { return is_removed(body, hex_in(body, pack, l)) ? hex_corner<T>(a)[d] : x(a, d)[l]; });
+  return x;
+}
+
+/// Velocities of the corners of a pack of hexes, m/s; zero for removed ones.
+template <class T, class Law, class Rule>
+Corners<Pack<T>> corner_velocities(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack) {
+  Corners<Pack<T>> v = gather_corners(body, nodes.velocity, pack);
+  if (body.metal.damage.effect != FailureEffect::removal) return v;
+  for (int a = 0; a < 8; ++a)
+    for (int d = 0; d < 3; ++d)
+      v(a, d) = pack_of<T>([&](Index l) { return is_removed(body, hex_in(body, pack, l)) ? T(0) : v(a, d)[l]; });
+  return v;
+}
+
+/// Calls `f(e, lane)` for each hex of a pack.
+template <class T, class Law, class Rule, class F>
+void for_each_hex_of(const HexBody<T, Law, Rule> &body, Index pack, F &&f) {
+  const Index first = pack * lanes<T>, count = static_cast<Index>(body.hexes.size());
+  for (Index l = 0; l < std::min(lanes<T>, count - first); ++l) f(first + l, l);
+}
+
+/// Calls `f(pack)` for each pack of hexes, in parallel. `f` must write only what belongs to the pack's hexes.
+template <class T, class Law, class Rule, class F> void for_each_pack(const HexBody<T, Law, Rule> &body, F &&f) {
+  parallel_for_chunks(packs(body), 16, [&](Index begin, Index end) {
+    for (Index pack = begin; pack < end; ++pack) f(pack);
+  });
 }
 
 /// Velocity gradient at every material point with respect to the latest positions; keeps the gradients for the force.
 template <class T, class Law, class Rule> void velocity_gradient(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
-  parallel_for(static_cast<Index>(body.hexes.size()), [&](Index e) {
-    if (is_removed(body, e)) {
-      stop_motion(body, e);
-      return;
-    }
-    const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
-    const Corners<T> v = gather_corners(nodes.velocity, body.hexes[e]);
-    const HexModes<T> x_modes = modes<T>(x);
-    const HexModes<T> v_modes = modes<T>(v);
-    body.mean_gradient[e] = mean_gradient<T>(x_modes);
-    const Mat3<T> L = mean_velocity_gradient<T>(body.mean_gradient[e], v_modes);
+  using P = Pack<T>;
+  for_each_pack(body, [&](Index pack) {
+    const Corners<P> x = corner_positions(body, nodes, pack), v = corner_velocities(body, nodes, pack);
+    const HexModes<P> x_modes = modes<P>(x), v_modes = modes<P>(v);
+    body.mean_gradient[pack] = mean_gradient<P>(x_modes);
+    const Mat3<P> L = mean_velocity_gradient<P>(body.mean_gradient[pack], v_modes);
     if constexpr (Rule::points == 1) {
-      body.points.velocity_gradient[e] = L;
-      body.hourglass_motion[e] = hourglass_motion<T>(x_modes, v_modes, L);
+      body.hourglass_motion[pack] = hourglass_motion<P>(x_modes, v_modes, L);
+      for_each_hex_of(body, pack, [&](Index e, Index lane) { body.points.velocity_gradient[e] = lane_of(L, lane); });
     } else {
-      for (int p = 0; p < Rule::points; ++p)
-        body.points.velocity_gradient[e * Rule::points + p] =
-            b_bar_velocity_gradient<T>(point_gradient<T>(x, p), L.trace(), v);
+      const P mean_trace = L(0, 0) + L(1, 1) + L(2, 2);
+      for (int p = 0; p < Rule::points; ++p) {
+        const Mat3<P> at_point = b_bar_velocity_gradient<P>(point_gradient<P>(x, p), mean_trace, v);
+        for_each_hex_of(body, pack, [&](Index e, Index lane) {
+          body.points.velocity_gradient[e * Rule::points + p] = lane_of(at_point, lane);
+        });
+      }
     }
   });
 }
 
-/// sum_a |b_a|^2 of a hex, 1/m2: 1.5/L^2 for a cube of edge L.
-template <class T> T gradient_norm(const MeanGradient<T> &mean) {
-  return T(8) * mean.integral.squaredNorm() / (mean.volume * mean.volume);
+/// sum_a |b_a|^2 of a hex, 1/m2: 1.5/L^2 for a cube of edge L. `N` is T or a pack of T, here and below.
+template <class N> N gradient_norm(const MeanGradient<N> &mean) {
+  return N(8) * mean.integral.cwiseProduct(mean.integral).sum() / (mean.volume * mean.volume);
 }
 
 /// Length of a hex for its bulk viscosity, m: the edge of a cube, between one and sqrt(3) thicknesses of a flat hex.
-template <class T> T viscous_length(T gradient_norm) { return std::sqrt(T(1.5) / gradient_norm); }
+template <class N> N viscous_length(N gradient_norm) {
+  using std::sqrt;
+  return sqrt(N(1.5) / gradient_norm);
+}
 
 /// Pressure of bulk viscosity, Pa, where the hex is being compressed: rho l (c1 c |D| + c2 l D^2) with D = tr L (1/s).
-template <class T> T bulk_viscosity(const HexOptions<T> &options, T density, T sound_speed, T length, T dilatation) {
-  if (!(dilatation < T(0))) return T(0);
-  return -density * length * dilatation *
-         (options.linear_bulk_viscosity * sound_speed - options.quadratic_bulk_viscosity * length * dilatation);
+template <class T, class N>
+N bulk_viscosity(const HexOptions<T> &options, N density, T sound_speed, N length, N dilatation) {
+  using std::max;
+  const N closing = length * max(-dilatation, N(0));
+  return density * closing * (options.linear_bulk_viscosity * sound_speed + options.quadratic_bulk_viscosity * closing);
 }
 
-/// Moves the generalised hourglass forces of hex e through the step `dt` (s) and returns those that act at its end, N.
-/// They turn with the material and vanish when it fails; their work is added to the hex's hourglass energy.
+/// The generalised hourglass forces of a pack of hexes.
 template <class T, class Law>
-HourglassModes<T> update_hourglass(HexBody<T, Law, OnePoint> &body, Index e, T gradient_norm, T dt) {
-  const auto &options = body.options;
-  if (!(options.hourglass_stiffness > T(0)) && !(options.hourglass_viscosity > T(0))) return HourglassModes<T>::Zero();
-  const MeanGradient<T> &mean = body.mean_gradient[e];
-  const HourglassModes<T> &rate = body.hourglass_motion[e].rate;
-  const T modulus = p_wave_modulus(body.metal.elasticity);
-  const Mat3<T> R = spin_rotation<T>(midstep_gradient<T>(body.points.velocity_gradient[e], dt), dt);
-  const HourglassModes<T> turned = R * body.hourglass_force[e];
-  if (is_failed(body, e))
-    body.hourglass_force[e].setZero();
-  else
-    body.hourglass_force[e] = turned + dt * hourglass_force_rate<T>(mean, options.hourglass_stiffness * modulus, rate);
-  const HourglassModes<T> viscous =
-      hourglass_damping<T>(options.hourglass_viscosity, modulus, body.points.density[e], mean.volume, gradient_norm) *
-      rate;
-  body.hourglass_energy[e] += dt * (T(0.5) * (turned + body.hourglass_force[e]) + viscous).cwiseProduct(rate).sum();
-  return body.hourglass_force[e] + viscous;
+HourglassModes<Pack<T>> hourglass_forces_of(const HexBody<T, Law, OnePoint> &body, Index pack) {
+  HourglassModes<Pack<T>> force;
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 3; ++r)
+      force(r, c) = pack_of<T>([&](Index l) { return body.hourglass_force[hex_in(body, pack, l)](r, c); });
+  return force;
 }
 
-/// Corner forces of hex e from its stress and the viscous pressure q (Pa), N.
+/// Moves the generalised hourglass forces of a pack of hexes through the step `dt` (s) and returns those that act at
+/// its end, N. They turn with the material and vanish when it fails; their work is added to the hexes' hourglass
+/// energy.
+template <class T, class Law>
+HourglassModes<Pack<T>> update_hourglass(HexBody<T, Law, OnePoint> &body, Index pack, const Mat3<Pack<T>> &L,
+                                         Pack<T> density, Pack<T> gradient_norm, T dt) {
+  using P = Pack<T>;
+  using Forces = HourglassModes<P>;
+  const auto &options = body.options;
+  if (!(options.hourglass_stiffness > T(0)) && !(options.hourglass_viscosity > T(0))) return Forces::Constant(P(0));
+  const MeanGradient<P> &mean = body.mean_gradient[pack];
+  const Forces &rate = body.hourglass_motion[pack].rate;
+  const T modulus = p_wave_modulus(body.metal.elasticity);
+  const Mat3<P> R = spin_rotation<P>(midstep_gradient<P>(L, P(dt)), P(dt));
+  const Forces turned = R * hourglass_forces_of(body, pack);
+  Forces force = turned + P(dt) * hourglass_force_rate<P>(mean, options.hourglass_stiffness * modulus, rate);
+  if (body.metal.damage.effect != FailureEffect::none)
+    for (int k = 0; k < 12; ++k)
+      force.data()[k] =
+          pack_of<T>([&](Index l) { return is_failed(body, hex_in(body, pack, l)) ? T(0) : force.data()[k][l]; });
+  const P damping = hourglass_damping<T, P>(options.hourglass_viscosity, modulus, density, mean.volume, gradient_norm);
+  const Forces viscous = damping * rate;
+  const P work = P(dt) * (P(0.5) * (turned + force) + viscous).cwiseProduct(rate).sum();
+  for_each_hex_of(body, pack, [&](Index e, Index lane) {
+    body.hourglass_energy[e] += work[lane];
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 3; ++r) body.hourglass_force[e](r, c) = force(r, c)[lane];
+  });
+  return force + viscous;
+}
+
+/// Corner forces of a pack of hexes from its stress and the viscous pressure q (Pa), N. `L` is the velocity gradient of
+/// the first points.
 template <class T, class Law, class Rule>
-Corners<T> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e, T gradient_norm, T q, T dt) {
-  const MeanGradient<T> &mean = body.mean_gradient[e];
+Corners<Pack<T>> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack, const Mat3<Pack<T>> &L,
+                               Pack<T> density, Pack<T> gradient_norm, Pack<T> q, T dt) {
+  using P = Pack<T>;
+  const MeanGradient<P> &mean = body.mean_gradient[pack];
+  const auto points_of = [&](int p) {
+    return load_points(body.points, [&, p](Index l) { return hex_in(body, pack, l) * Rule::points + p; });
+  };
   if constexpr (Rule::points == 1) {
-    Mat3<T> sigma = full(body.points.deviator[e]);
-    sigma.diagonal().array() -= body.points.pressure[e] + q;
-    HexModes<T> force = force_modes<T>(mean, sigma);
-    add_hourglass_forces<T>(mean, body.hourglass_motion[e].shape, update_hourglass(body, e, gradient_norm, dt), force);
-    return corner_values<T>(force);
+    const MaterialPoint<P> point = points_of(0);
+    const Mat3<P> sigma = full(point.deviator - spherical(P(point.pressure + q)));
+    HexModes<P> force = force_modes<P>(mean, sigma);
+    add_hourglass_forces<P>(mean, body.hourglass_motion[pack].shape,
+                            update_hourglass(body, pack, L, density, gradient_norm, dt), force);
+    return corner_values<P>(force);
   } else {
-    if (is_removed(body, e)) return Corners<T>::Zero();
-    const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
-    Corners<T> force = Corners<T>::Zero();
-    T pressure_volume = q * mean.volume;
+    const Corners<P> x = corner_positions(body, nodes, pack);
+    Corners<P> force = Corners<P>::Constant(P(0));
+    P pressure_volume = q * mean.volume;
     for (int p = 0; p < Rule::points; ++p) {
-      const Index i = e * Rule::points + p;
-      const PointGradient<T> point = point_gradient<T>(x, p);
-      force += deviatoric_forces<T>(point, full(body.points.deviator[i]));
-      pressure_volume += point.volume * body.points.pressure[i];
+      const MaterialPoint<P> at_point = points_of(p);
+      const PointGradient<P> point = point_gradient<P>(x, p);
+      force += deviatoric_forces<P>(point, full(at_point.deviator));
+      pressure_volume += point.volume * at_point.pressure;
     }
-    return force + (pressure_volume / mean.volume) * corner_integrals<T>(mean);
+    return force + P(pressure_volume / mean.volume) * corner_integrals<P>(mean);
   }
 }
 
 /// Adds the forces of stress, bulk viscosity and hourglass control to the nodes, N, and their work over the step `dt`
 /// (s) to the energies. Call it after `velocity_gradient` and `update_stress`.
 template <class T, class Law, class Rule> void add_internal_force(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
+  using P = Pack<T>;
   const T c = sound_speed(body.metal);
-  parallel_for(static_cast<Index>(body.hexes.size()), [&](Index e) {
-    const Index i = e * Rule::points;
-    const MeanGradient<T> &mean = body.mean_gradient[e];
-    const T norm = gradient_norm<T>(mean);
-    const T dilatation = body.points.velocity_gradient[i].trace();
-    const T q = bulk_viscosity<T>(body.options, body.points.density[i], c, viscous_length<T>(norm), dilatation);
-    body.viscous_energy[e] -= T(0.5) * dt * (body.viscous_pressure[e] + q) * dilatation * mean.volume;
-    body.viscous_pressure[e] = q;
-    const Corners<T> force = stress_forces(body, nodes, e, norm, q, dt);
-    for (int a = 0; a < 8; ++a) body.corner_force[8 * e + a] = force.row(a).transpose();
+  for_each_pack(body, [&](Index pack) {
+    const auto first_point = [&](Index l) { return hex_in(body, pack, l) * Rule::points; };
+    const Mat3<P> L = load_gradients(body.points, first_point);
+    const P density = pack_of<T>([&](Index l) { return body.points.density[first_point(l)]; });
+    const MeanGradient<P> &mean = body.mean_gradient[pack];
+    const P norm = gradient_norm<P>(mean), dilatation = L(0, 0) + L(1, 1) + L(2, 2);
+    const P q = bulk_viscosity<T, P>(body.options, density, c, viscous_length<P>(norm), dilatation);
+    const Corners<P> force = stress_forces(body, nodes, pack, L, density, norm, q, dt);
+    for_each_hex_of(body, pack, [&](Index e, Index lane) {
+      body.viscous_energy[e] -=
+          T(0.5) * dt * (body.viscous_pressure[e] + q[lane]) * dilatation[lane] * mean.volume[lane];
+      body.viscous_pressure[e] = q[lane];
+      for (int a = 0; a < 8; ++a)
+        body.corner_force[8 * e + a] = Vec3<T>(force(a, 0)[lane], force(a, 1)[lane], force(a, 2)[lane]);
+    });
   });
   const CornersOfNodes &list = body.corners_of_nodes;
   parallel_for(body.nodes.size(), [&](Index n) {

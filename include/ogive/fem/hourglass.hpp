@@ -2,6 +2,9 @@
 
 #include "ogive/fem/hex8.hpp"
 
+#include <cmath>
+#include <numbers>
+
 /// \file
 /// Hourglass control by stiffness and viscosity (Flanagan & Belytschko 1981, Int. J. Numer. Meth. Engng 17, 679-706).
 ///
@@ -30,13 +33,16 @@ template <class T> struct HourglassMotion {
   HourglassModes<T> rate;
 };
 
+inline constexpr double root8 = 2 * std::numbers::sqrt2;
+
 /// Hourglass shape and rates from the modes of positions and velocities and the mean velocity gradient L (1/s). The
 /// rates vanish for every linear velocity field.
 template <class T>
 HourglassMotion<T> hourglass_motion(const HexModes<T> &position, const HexModes<T> &velocity, const Mat3<T> &L) {
   HourglassMotion<T> motion;
   motion.shape = T(8) * position.template bottomRows<4>().transpose();
-  motion.rate = (T(8) * velocity.template bottomRows<4>().transpose() - L * motion.shape) / std::sqrt(T(8));
+  motion.rate =
+      T(1 / root8) * (T(8) * velocity.template bottomRows<4>().transpose() - HourglassModes<T>(L * motion.shape));
   return motion;
 }
 
@@ -44,7 +50,7 @@ HourglassMotion<T> hourglass_motion(const HexModes<T> &position, const HexModes<
 /// `modulus` is stiffness (lambda + 2 mu), Pa.
 template <class T>
 HourglassModes<T> hourglass_force_rate(const MeanGradient<T> &mean, T modulus, const HourglassModes<T> &rate) {
-  const Mat3<T> g = (T(8) / mean.volume) * mean.integral.template topRows<3>().transpose();
+  const Mat3<T> g = T(T(8) / mean.volume) * mean.integral.template topRows<3>().transpose();
   const T scale = T(0.375) * modulus * mean.volume;
   const Vec3<T> squares = g.colwise().squaredNorm().transpose();
   const Eigen::Matrix<T, 3, 4> along = g.transpose() * rate; // g_i . q'_alpha
@@ -61,8 +67,10 @@ HourglassModes<T> hourglass_force_rate(const MeanGradient<T> &mean, T modulus, c
 
 /// Viscosity (N s/m) of a unit mode: viscosity sqrt((lambda + 2 mu) rho V^2 sum |b|^2 / 8), `viscosity` the fraction of
 /// HexOptions, `p_wave_modulus` = lambda + 2 mu (Pa), `gradient_norm` = sum_a |b_a|^2 (1/m2).
-template <class T> T hourglass_damping(T viscosity, T p_wave_modulus, T density, T volume, T gradient_norm) {
-  return viscosity * volume * std::sqrt(T(0.125) * p_wave_modulus * density * gradient_norm);
+/// `N` is T or a pack of T.
+template <class T, class N> N hourglass_damping(T viscosity, T p_wave_modulus, N density, N volume, N gradient_norm) {
+  using std::sqrt;
+  return viscosity * volume * sqrt(T(0.125) * p_wave_modulus * density * gradient_norm);
 }
 
 /// Adds the generalised hourglass forces Q (N) to the coefficients of the corner forces:
@@ -70,7 +78,7 @@ template <class T> T hourglass_damping(T viscosity, T p_wave_modulus, T density,
 template <class T>
 void add_hourglass_forces(const MeanGradient<T> &mean, const HourglassModes<T> &shape, const HourglassModes<T> &Q,
                           HexModes<T> &force) {
-  const HourglassModes<T> unit = Q / std::sqrt(T(8));
+  const HourglassModes<T> unit = T(1 / root8) * Q;
   const Mat3<T> moment = (T(1) / mean.volume) * (unit * shape.transpose());
   force.template topRows<6>() += mean.integral * moment.transpose();
   force.template bottomRows<4>() -= unit.transpose();

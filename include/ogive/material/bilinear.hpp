@@ -14,8 +14,8 @@ template <class T> struct Bilinear {
 template <class T> T plastic_modulus(T young, T tangent) { return young * tangent / (young - tangent); }
 
 /// Bilinear isotropic hardening; rate and temperature have no effect.
-template <class T> FlowStress<T> flow_stress(const Bilinear<T> &law, T plastic_strain, T, T) {
-  return {law.yield + law.hardening * plastic_strain, law.hardening, T(0), T(0)};
+template <class T, class N> FlowStress<N> flow_stress(const Bilinear<T> &law, N plastic_strain, N, N) {
+  return {law.yield + law.hardening * plastic_strain, N(law.hardening), N(0), N(0)};
 }
 
 } // namespace ogive

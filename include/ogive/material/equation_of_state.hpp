@@ -1,6 +1,8 @@
 #pragma once
 
-#include "ogive/core/types.hpp"
+#include "ogive/core/pack.hpp"
+
+#include <algorithm>
 
 namespace ogive {
 
@@ -19,13 +21,14 @@ template <class T> struct EquationOfState {
 
 /// Pressure in Pa for the compression mu = rho/rho0 - 1 and the internal energy `energy` in J per reference m3.
 /// Mie-Grueneisen: Hugoniot in compression, linear in tension, the bulk sound speed from `bulk_modulus` (Pa).
-template <class T> T pressure(const EquationOfState<T> &eos, T bulk_modulus, T mu, T energy) {
+/// `N` is T or a pack of T.
+template <class T, class N> N pressure(const EquationOfState<T> &eos, T bulk_modulus, N mu, N energy) {
   if (eos.law == PressureLaw::linear) return bulk_modulus * mu;
-  const T thermal = eos.gruneisen * energy;
-  if (mu <= T(0)) return bulk_modulus * mu + thermal;
-  const T eta = mu / (T(1) + mu);
-  const T stiffening = T(1) - eos.hugoniot_slope * eta;
-  return bulk_modulus * eta * (T(1) - T(0.5) * eos.gruneisen * eta) / (stiffening * stiffening) + thermal;
+  using std::max;
+  const N compression = max(mu, N(0)), eta = compression / (T(1) + compression);
+  const N stiffening = T(1) - eos.hugoniot_slope * eta;
+  const N hugoniot = bulk_modulus * eta * (T(1) - T(0.5) * eos.gruneisen * eta) / (stiffening * stiffening);
+  return select(mu > N(0), hugoniot, bulk_modulus * mu) + eos.gruneisen * energy;
 }
 
 } // namespace ogive

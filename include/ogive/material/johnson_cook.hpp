@@ -19,12 +19,13 @@ template <class T> struct ModifiedJohnsonCook {
 };
 
 /// Liu et al. 2012, Eq. 2. The rate must be positive (see Metal::rate_floor).
-template <class T>
-FlowStress<T> flow_stress(const ModifiedJohnsonCook<T> &law, T plastic_strain, T rate, T temperature) {
+template <class T, class N>
+FlowStress<N> flow_stress(const ModifiedJohnsonCook<T> &law, N plastic_strain, N rate, N temperature) {
+  using std::pow;
   const auto hardening = power_hardening(law.A, law.B, law.a, plastic_strain);
-  const T rate_factor = std::pow(rate, law.C);
+  const N rate_factor = pow(rate, law.C);
   const auto thermal = thermal_factor(temperature, law.room, law.melting, law.b);
-  const T value = hardening.value * rate_factor * thermal.value;
+  const N value = hardening.value * rate_factor * thermal.value;
   return {value, hardening.slope * rate_factor * thermal.value, value * law.C / rate,
           hardening.value * rate_factor * thermal.slope};
 }
@@ -49,17 +50,19 @@ template <class T> struct JohnsonCook {
 };
 
 /// Johnson & Cook 1983, with either rate factor.
-template <class T> FlowStress<T> flow_stress(const JohnsonCook<T> &law, T plastic_strain, T rate, T temperature) {
+template <class T, class N>
+FlowStress<N> flow_stress(const JohnsonCook<T> &law, N plastic_strain, N rate, N temperature) {
+  using std::log, std::max, std::pow;
   const auto hardening = power_hardening(law.A, law.B, law.n, plastic_strain);
   const auto thermal = thermal_factor(temperature, law.room, law.melting, law.m);
-  const T scaled = rate / law.reference_rate;
-  T factor = T(1), slope = T(0);
+  const N scaled = rate * (T(1) / law.reference_rate);
+  N factor, slope;
   if (law.rate_factor == RateFactor::power) {
-    factor = std::pow(T(1) + scaled, law.C);
+    factor = pow(T(1) + scaled, law.C);
     slope = law.C * factor / (law.reference_rate + rate);
-  } else if (scaled > T(1)) {
-    factor = T(1) + law.C * std::log(scaled);
-    slope = law.C / rate;
+  } else {
+    factor = T(1) + law.C * log(max(scaled, N(1)));
+    slope = select(scaled > N(1), law.C / rate, N(0));
   }
   return {hardening.value * factor * thermal.value, hardening.slope * factor * thermal.value,
           hardening.value * slope * thermal.value, hardening.value * factor * thermal.slope};

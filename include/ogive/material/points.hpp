@@ -1,6 +1,9 @@
 #pragma once
 
+#include "ogive/core/pack.hpp"
 #include "ogive/core/types.hpp"
+
+#include <algorithm>
 
 #include <vector>
 
@@ -26,6 +29,10 @@ template <class T> struct MaterialPoints {
   std::vector<Mat3<T>> velocity_gradient; ///< 1/s, of the last half step, with respect to the latest positions
   std::vector<Sym3<T>> deviator;
   std::vector<T> pressure, density, plastic_strain, plastic_strain_rate, temperature, damage, internal_energy;
+
+  // Known from an earlier step and no part of the state: the flow stress at the smallest rate (Pa) at this plastic
+  // strain and temperature (K).
+  std::vector<T> yield, yield_strain, yield_temperature;
 
   Index size() const { return static_cast<Index>(density.size()); }
 };
@@ -54,12 +61,47 @@ template <class T> void fill(MaterialPoints<T> &points, Index n, const MaterialP
   points.temperature.assign(n, initial.temperature);
   points.damage.assign(n, initial.damage);
   points.internal_energy.assign(n, initial.internal_energy);
+  points.yield.assign(n, T(0));
+  points.yield_strain.assign(n, T(-1));
+  points.yield_temperature.assign(n, T(-1));
 }
 
 /// Copy of point i.
 template <class T> MaterialPoint<T> load(const MaterialPoints<T> &p, Index i) {
   return {p.deviator[i],    p.pressure[i], p.density[i],        p.plastic_strain[i], p.plastic_strain_rate[i],
           p.temperature[i], p.damage[i],   p.internal_energy[i]};
+}
+
+/// The points `index_of(lane)` as one.
+template <class T, class F> MaterialPoint<Pack<T>> load_points(const MaterialPoints<T> &p, F &&index_of) {
+  const auto of = [&](const std::vector<T> &field) {
+    return pack_of<T>([&](Index lane) { return field[index_of(lane)]; });
+  };
+  const auto component = [&](T Sym3<T>::*c) {
+    return pack_of<T>([&](Index lane) { return p.deviator[index_of(lane)].*c; });
+  };
+  return {{component(&Sym3<T>::xx), component(&Sym3<T>::yy), component(&Sym3<T>::zz), component(&Sym3<T>::xy),
+           component(&Sym3<T>::yz), component(&Sym3<T>::zx)},
+          of(p.pressure),
+          of(p.density),
+          of(p.plastic_strain),
+          of(p.plastic_strain_rate),
+          of(p.temperature),
+          of(p.damage),
+          of(p.internal_energy)};
+}
+
+/// One lane of several points.
+template <class T> MaterialPoint<T> lane_of(const MaterialPoint<Pack<T>> &m, Index lane) {
+  const auto &s = m.deviator;
+  return {{s.xx[lane], s.yy[lane], s.zz[lane], s.xy[lane], s.yz[lane], s.zx[lane]},
+          m.pressure[lane],
+          m.density[lane],
+          m.plastic_strain[lane],
+          m.plastic_strain_rate[lane],
+          m.temperature[lane],
+          m.damage[lane],
+          m.internal_energy[lane]};
 }
 
 /// Writes point i.

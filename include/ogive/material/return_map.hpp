@@ -9,42 +9,50 @@
 namespace ogive {
 
 /// What the radial return found.
-template <class T> struct PlasticStep {
-  T increment{};   ///< of the equivalent plastic strain
-  T flow_stress{}; ///< Pa, at the end of the step
+template <class N> struct PlasticStep {
+  N increment{};   ///< of the equivalent plastic strain
+  N flow_stress{}; ///< Pa, at the end of the step
 };
 
 /// Radial return (Wilkins 1964): finds the increment of plastic strain with
 /// q_trial - 3 G increment = flow_stress(strain + increment, increment/dt, T + beta sigma increment/(rho cp)),
-/// rate and temperature implicit, by Newton steps kept inside a bracket. `q_trial` in Pa, `dt` in s.
-template <class T, class Law>
-PlasticStep<T> radial_return(const Metal<T, Law> &metal, const MaterialPoint<T> &point, T q_trial, T dt) {
-  const T three_g = T(3) * shear_modulus(metal.elasticity);
+/// rate and temperature implicit, by Newton steps kept inside a bracket. `q_trial` in Pa, `dt` in s. `N` is T or a pack
+/// of T: then it goes on until all lanes have settled.
+template <class T, class Law, class N>
+PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> &point, N q_trial, T dt) {
+  using std::abs, std::max, std::min;
+  const T three_g = T(3) * shear_modulus(metal.elasticity), inverse_dt = T(1) / dt;
   const T heating = metal.specific_heat > T(0) ? metal.taylor_quinney / (metal.density * metal.specific_heat) : T(0);
-  const T floor = metal.rate_floor;
+  const N floor = metal.rate_floor;
 
-  const auto still = flow_stress(metal.flow, point.plastic_strain, floor, point.temperature);
-  if (q_trial <= still.value) return {T(0), still.value};
+  const FlowStress<N> still = flow_stress(metal.flow, point.plastic_strain, floor, point.temperature);
+  const auto yields = q_trial > still.value;
+  if (!any(yields)) return {N(0), still.value};
 
-  T low = T(0), high = q_trial / three_g;
-  T increment = std::clamp(point.plastic_strain_rate * dt, T(0), high);
-  if (increment == T(0)) increment = (q_trial - still.value) / three_g * T(0.5);
-  const T tolerance = T(1e-9) * q_trial + T(4) * std::numeric_limits<T>::epsilon() * q_trial;
-  FlowStress<T> sigma = still;
+  N low = T(0), high = q_trial * (T(1) / three_g);
+  N increment = min(point.plastic_strain_rate * dt, high);
+  increment = select(increment > N(0), increment, (q_trial - still.value) * (T(0.5) / three_g));
+  const N tolerance = (T(1e-9) + T(4) * std::numeric_limits<T>::epsilon()) * q_trial;
+  FlowStress<N> sigma = still;
+  auto open = yields;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const T rate = increment / dt;
-    const T temperature = point.temperature + heating * sigma.value * increment;
-    sigma = flow_stress(metal.flow, point.plastic_strain + increment, std::max(rate, floor), temperature);
-    const T excess = q_trial - three_g * increment - sigma.value;
-    if (std::abs(excess) <= tolerance) break;
-    (excess > T(0) ? low : high) = increment;
-    const T slope = three_g + sigma.by_plastic_strain + (rate > floor ? sigma.by_rate / dt : T(0)) +
+    const N rate = increment * inverse_dt;
+    const N temperature = point.temperature + heating * sigma.value * increment;
+    sigma = flow_stress(metal.flow, N(point.plastic_strain + increment), N(max(rate, floor)), temperature);
+    const N excess = q_trial - three_g * increment - sigma.value;
+    open = open & (abs(excess) > tolerance);
+    if (!any(open)) break;
+    const auto below = excess > N(0);
+    low = select(open & below, increment, low);
+    high = select(open & !below, increment, high);
+    const N slope = three_g + sigma.by_plastic_strain + select(rate > floor, sigma.by_rate * inverse_dt, N(0)) +
                     sigma.by_temperature * heating * sigma.value;
-    const T newton = increment + excess / slope;
-    increment = newton > low && newton < high ? newton : T(0.5) * (low + high);
-    if (high - low <= std::numeric_limits<T>::epsilon() * high) break;
+    const N newton = increment + excess / slope;
+    const N next = select((newton > low) & (newton < high), newton, T(0.5) * (low + high));
+    increment = select(open, next, increment);
+    open = open & (high - low > std::numeric_limits<T>::epsilon() * high);
   }
-  return {increment, std::max(T(0), q_trial - three_g * increment)};
+  return {select(yields, increment, N(0)), select(yields, max(N(0), q_trial - three_g * increment), still.value)};
 }
 
 } // namespace ogive

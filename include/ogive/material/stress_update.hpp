@@ -3,12 +3,17 @@
 #include "ogive/core/parallel.hpp"
 #include "ogive/material/return_map.hpp"
 
+#include <array>
+#include <limits>
+#include <span>
+
 namespace ogive {
 
 /// Velocity gradient with respect to the positions of the middle of the step, from the one with respect to those of its
 /// end: L_mid = L (I - dt/2 L)^-1. A rigid rotation of any size then has no rate of deformation.
 template <class T> Mat3<T> midstep_gradient(const Mat3<T> &L, T dt) {
-  const Mat3<T> shift = Mat3<T>::Identity() - T(0.5) * dt * L;
+  Mat3<T> shift = L * (T(-0.5) * dt);
+  for (int k = 0; k < 3; ++k) shift(k, k) += T(1);
   return L * inverse(shift);
 }
 
@@ -28,73 +33,187 @@ template <class T> Sym3<T> rotated(const Sym3<T> &s, const Mat3<T> &Q) {
   return {r(0, 0), r(1, 1), r(2, 2), r(0, 1), r(1, 2), r(2, 0)};
 }
 
+/// A point after a step without plastic flow.
+template <class N> struct ElasticTrial {
+  MaterialPoint<N> point;   ///< density and deviator of the end of the step
+  Sym3<N> deformation_rate; ///< D, 1/s, at the middle of the step
+  N equivalent_stress;      ///< von Mises, Pa
+};
+
+/// Moves density and deviatoric stress through a step `dt` (s) as if nothing yielded: Jaumann rate. `N` is T or a pack.
+template <class T, class Law, class N>
+ElasticTrial<N> elastic_trial(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const Mat3<N> &L, T dt) {
+  const Mat3<N> mid = midstep_gradient<N>(L, dt);
+  ElasticTrial<N> trial{old, symmetric_part(mid), {}};
+  const N growth = T(0.5) * dt * trace(trial.deformation_rate);
+  trial.point.density = old.density * ((T(1) - growth) / (T(1) + growth));
+  trial.point.deviator = rotated(old.deviator, spin_rotation<N>(mid, dt));
+  trial.point.deviator += N(T(2) * shear_modulus(metal.elasticity) * dt) * deviator(trial.deformation_rate);
+  trial.point.plastic_strain_rate = N(0);
+  trial.equivalent_stress = von_mises(trial.point.deviator);
+  return trial;
+}
+
 /// Sets the pressure of `now` from its density and energy, and its internal energy from the work of the stress over the
-/// step `dt` (s) with the rate of deformation `D` (1/s), by the trapezoidal rule. A failed point has no tension, a
-/// removed one no pressure at all.
+/// step `dt` (s) with the rate of deformation `D` (1/s), by the trapezoidal rule. The pressure is kept between `lowest`
+/// and `highest` (Pa).
+template <class T, class Law, class N>
+void balance(const Metal<T, Law> &metal, const MaterialPoint<N> &old, MaterialPoint<N> &now, const Sym3<N> &D, T dt,
+             T lowest, T highest) {
+  using std::max, std::min;
+  const N old_volume = T(1) / old.density, volume = T(1) / now.density;
+  const N deviatoric_work = T(0.5) * dt * double_dot(old_volume * old.deviator + volume * now.deviator, D);
+  const N volume_half = T(-0.5) * dt * trace(D);
+  const N energy = old.internal_energy + deviatoric_work + volume_half * old.pressure * old_volume;
+  const N mu = (now.density - metal.density) * (T(1) / metal.density);
+  const N free = pressure<T, N>(metal.eos, bulk_modulus(metal.elasticity), mu, metal.density * energy);
+  now.pressure = max(N(lowest), min(N(highest), free));
+  now.internal_energy = energy + volume_half * now.pressure * volume;
+}
+
+/// The same for a point that may have failed: then it has no tension; once removed, no pressure at all.
 template <class T, class Law>
 void balance(const Metal<T, Law> &metal, const MaterialPoint<T> &old, MaterialPoint<T> &now, const Sym3<T> &D, T dt) {
-  const T deviatoric_work =
-      T(0.5) * dt * double_dot(T(1) / old.density * old.deviator + T(1) / now.density * now.deviator, D);
-  const T volume_half = -T(0.5) * dt * trace(D);
-  const T energy = old.internal_energy + deviatoric_work + volume_half * old.pressure / old.density;
-  const T mu = now.density / metal.density - T(1);
-  now.pressure = pressure(metal.eos, bulk_modulus(metal.elasticity), mu, metal.density * energy);
-  if (is_failed(metal.damage, now.damage)) now.pressure = std::max(now.pressure, T(0));
-  if (is_removed(metal.damage, now.damage)) now.pressure = T(0);
-  now.internal_energy = energy + volume_half * now.pressure / now.density;
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  balance(metal, old, now, D, dt, is_failed(metal.damage, now.damage) ? T(0) : -infinity,
+          is_removed(metal.damage, now.damage) ? T(0) : infinity);
+}
+
+/// A point after a step.
+template <class N> struct Advanced {
+  MaterialPoint<N> point;
+  N yield{}; ///< flow stress at the smallest rate, Pa, of a point that did not flow; else -1
+};
+
+/// Takes the trial stress back to the flow stress and heats the point (Liu et al. 2012, Eqs. 1-2).
+template <class T, class Law, class N>
+Advanced<N> flowed(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const ElasticTrial<N> &trial, T dt) {
+  const PlasticStep<N> plastic = radial_return(metal, old, trial.equivalent_stress, dt);
+  const auto flows = plastic.increment > N(0);
+  MaterialPoint<N> now = trial.point;
+  now.deviator *= select(flows, plastic.flow_stress / trial.equivalent_stress, N(1));
+  now.plastic_strain += plastic.increment;
+  now.plastic_strain_rate = plastic.increment * (T(1) / dt);
+  if (metal.specific_heat > T(0))
+    now.temperature +=
+        metal.taylor_quinney / (metal.density * metal.specific_heat) * (plastic.flow_stress * plastic.increment);
+  return {now, select(flows, N(-1), plastic.flow_stress)};
 }
 
 /// Moves one material point through a step `dt` (s) with the velocity gradient `L` (1/s, with respect to the positions
-/// at the end of the step): Jaumann rate, radial return, adiabatic heating (Liu et al. 2012, Eqs. 1-2), pressure,
-/// damage (Eqs. 3-4). The point loses its stress in the step in which it fails; what it had stored counts as
-/// dissipated.
+/// at the end of the step): Jaumann rate, radial return, adiabatic heating, pressure, damage (Liu et al. 2012, Eqs.
+/// 3-4). The point loses its stress in the step in which it fails; what it had stored counts as dissipated.
+template <class T, class Law>
+Advanced<T> advanced(const Metal<T, Law> &metal, const MaterialPoint<T> &old, const Mat3<T> &L, T dt) {
+  if (is_removed(metal.damage, old.damage)) return {old, T(-1)};
+  const ElasticTrial<T> trial = elastic_trial(metal, old, L, dt);
+  const Sym3<T> &D = trial.deformation_rate;
+  if (is_failed(metal.damage, old.damage)) {
+    MaterialPoint<T> now = trial.point;
+    now.deviator = Sym3<T>{};
+    balance(metal, old, now, D, dt);
+    return {now, T(-1)};
+  }
+  Advanced<T> after = flowed(metal, old, trial, dt);
+  MaterialPoint<T> &now = after.point;
+  balance(metal, old, now, D, dt);
+  const T increment = now.plastic_strain_rate * dt;
+  if (!(increment > T(0)) || metal.damage.law == DamageLaw::none) return after;
+  now.damage += damage_growth(metal.damage, now, increment, std::max(now.plastic_strain_rate, metal.rate_floor),
+                              homologous_temperature(metal, now.temperature));
+  if (is_failed(metal.damage, now.damage)) {
+    now.deviator = Sym3<T>{};
+    balance(metal, old, now, D, dt);
+  }
+  return after;
+}
+
+/// advanced(), the point alone.
 template <class T, class Law>
 MaterialPoint<T> updated(const Metal<T, Law> &metal, const MaterialPoint<T> &old, const Mat3<T> &L, T dt) {
-  if (is_removed(metal.damage, old.damage)) return old;
-  const Mat3<T> mid = midstep_gradient(L, dt);
-  const Sym3<T> D = symmetric_part(mid);
-  const T dilatation = trace(D);
+  return advanced(metal, old, L, dt).point;
+}
 
-  MaterialPoint<T> now = old;
-  now.density = old.density * (T(1) - T(0.5) * dt * dilatation) / (T(1) + T(0.5) * dt * dilatation);
-  now.plastic_strain_rate = T(0);
-  if (is_failed(metal.damage, old.damage)) {
-    balance(metal, old, now, D, dt);
-    return now;
+/// Velocity gradients of the points `index_of(lane)` as one.
+template <class T, class F> Mat3<Pack<T>> load_gradients(const MaterialPoints<T> &p, F &&index_of) {
+  Mat3<Pack<T>> L;
+  for (int k = 0; k < 9; ++k)
+    L(k / 3, k % 3) = pack_of<T>([&](Index lane) { return p.velocity_gradient[index_of(lane)](k / 3, k % 3); });
+  return L;
+}
+
+/// Remembers the flow stress at the smallest rate of a point that did not flow.
+template <class T> void remember_yield(MaterialPoints<T> &p, Index i, T yield) {
+  if (yield < T(0)) return;
+  p.yield[i] = yield, p.yield_strain[i] = p.plastic_strain[i], p.yield_temperature[i] = p.temperature[i];
+}
+
+/// Moves those of the points [begin, end) that stay elastic through a step, several at once, and calls `others(i)` for
+/// the rest. Elastic are points that have not failed and whose trial stress lies below their known flow stress.
+template <class Body, class T, class F>
+void update_elastic_points(Body &body, Index begin, Index end, T dt, F &&others) {
+  auto &p = body.points;
+  const auto &metal = body.metal;
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  for (Index first = begin; first < end; first += lanes<T>) {
+    const auto index_of = [&](Index lane) { return std::min(first + lane, end - 1); };
+    const auto of = [&](const std::vector<T> &field) {
+      return pack_of<T>([&](Index lane) { return field[index_of(lane)]; });
+    };
+    const MaterialPoint<Pack<T>> old = load_points(p, index_of);
+    auto trial = elastic_trial(metal, old, load_gradients(p, index_of), dt);
+    balance(metal, old, trial.point, trial.deformation_rate, dt, -infinity, infinity);
+    // Written so that a NaN is not taken for elastic.
+    auto elastic = (trial.equivalent_stress <= of(p.yield)) & (old.plastic_strain <= of(p.yield_strain)) &
+                   (old.plastic_strain >= of(p.yield_strain)) & (old.temperature <= of(p.yield_temperature)) &
+                   (old.temperature >= of(p.yield_temperature));
+    if (metal.damage.effect != FailureEffect::none) elastic = elastic & (old.damage < Pack<T>(T(1)));
+    for (Index lane = 0; lane < std::min(lanes<T>, end - first); ++lane)
+      if (elastic[lane])
+        store(p, first + lane, lane_of(trial.point, lane));
+      else
+        others(first + lane);
   }
+}
 
-  Sym3<T> trial = rotated(old.deviator, spin_rotation(mid, dt));
-  trial += T(2) * shear_modulus(metal.elasticity) * dt * deviator(D);
-  const T q_trial = von_mises(trial);
-  const PlasticStep<T> plastic = radial_return(metal, old, q_trial, dt);
-  now.deviator = trial;
-  if (plastic.increment > T(0)) {
-    now.deviator *= plastic.flow_stress / q_trial;
-    now.plastic_strain += plastic.increment;
-    now.plastic_strain_rate = plastic.increment / dt;
-    if (metal.specific_heat > T(0))
-      now.temperature +=
-          metal.taylor_quinney * plastic.flow_stress * plastic.increment / (metal.density * metal.specific_heat);
-  }
-  balance(metal, old, now, D, dt);
-
-  if (plastic.increment > T(0) && metal.damage.law != DamageLaw::none) {
-    now.damage +=
-        damage_growth(metal.damage, now, plastic.increment, std::max(now.plastic_strain_rate, metal.rate_floor),
-                      homologous_temperature(metal, now.temperature));
-    if (is_failed(metal.damage, now.damage)) {
-      now.deviator = Sym3<T>{};
-      balance(metal, old, now, D, dt);
+/// Moves points of undamaged metal through a step, flowing or not, several at once.
+template <class Body, class T> void update_points(Body &body, std::span<const Index> points, T dt) {
+  auto &p = body.points;
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  const Index n = static_cast<Index>(points.size());
+  for (Index first = 0; first < n; first += lanes<T>) {
+    const auto index_of = [&](Index lane) { return points[std::min(first + lane, n - 1)]; };
+    const MaterialPoint<Pack<T>> old = load_points(p, index_of);
+    const auto trial = elastic_trial(body.metal, old, load_gradients(p, index_of), dt);
+    auto after = flowed(body.metal, old, trial, dt);
+    balance(body.metal, old, after.point, trial.deformation_rate, dt, -infinity, infinity);
+    for (Index lane = 0; lane < std::min(lanes<T>, n - first); ++lane) {
+      store(p, points[first + lane], lane_of(after.point, lane));
+      remember_yield(p, points[first + lane], after.yield[lane]);
     }
   }
-  return now;
 }
 
 /// Moves all material points of a body (it has `metal` and `points`) through a step; dt = 0 leaves them as they are.
-template <class T, class Body> void update_stress(Body &body, T dt) {
+template <class Body, class T> void update_stress(Body &body, T dt) {
   if (dt == T(0)) return;
-  parallel_for(body.points.size(), [&](Index i) {
-    store(body.points, i, updated(body.metal, load(body.points, i), body.points.velocity_gradient[i], dt));
+  constexpr Index chunk = 128;
+  constexpr bool packed = PackedFlowLaw<decltype(body.metal.flow), T>;
+  parallel_for_chunks(body.points.size(), chunk, [&](Index begin, Index end) {
+    std::array<Index, chunk> others;
+    std::size_t count = 0;
+    update_elastic_points(body, begin, end, dt, [&](Index i) { others[count++] = i; });
+    const std::span<const Index> rest(others.data(), count);
+    if constexpr (packed)
+      if (body.metal.damage.law == DamageLaw::none && body.metal.damage.effect == FailureEffect::none) {
+        update_points(body, rest, dt);
+        return;
+      }
+    for (const Index i : rest) {
+      const auto after = advanced(body.metal, load(body.points, i), body.points.velocity_gradient[i], dt);
+      store(body.points, i, after.point);
+      remember_yield(body.points, i, after.yield);
+    }
   });
 }
 
