@@ -3,8 +3,9 @@
 # only with one, though no window opens. The exit status is the command's.
 set -euo pipefail
 
-# Threads that wait in a busy loop slow a machine down that has other work.
-export OMP_WAIT_POLICY="${OMP_WAIT_POLICY:-passive}"
+# Threads that wait long in a busy loop slow a machine down that has other work; threads that sleep at once wake up
+# late, a tenth of a step on two cores. A short loop is neither.
+export GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}"
 
 if [ -n "${DISPLAY:-}" ]; then
   exec "$@"

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# performance.sh [--insert] [option of bench_step]...: times the steps of a shot and prints the tables of
+# docs/performance.md in Markdown; --insert puts them there too. Let nothing else run. BENCH_STEP names another program
+# than that of build/release; bench_step --help lists its options.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+insert=
+if [ "${1:-}" = --insert ]; then
+  insert=yes
+  shift
+fi
+[ -n "${BENCH_STEP:-}" ] || "$root/scripts/build.sh" bench_step
+
+# As scripts/run.sh does.
+export GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}"
+
+tables=$(mktemp)
+trap 'rm -f "$tables" "$tables.page"' EXIT
+"${BENCH_STEP:-$root/build/release/bench/bench_step}" "$@" | tee "$tables"
+[ -n "$insert" ] || exit 0
+
+# The tables stand between two lines that say so.
+page=$root/docs/performance.md
+awk -v tables="$tables" '
+  /^<!-- tables: bench\/performance.sh -->$/ {
+    print
+    inside = !inside
+    if (!inside) next
+    print ""
+    while ((getline line < tables) > 0) print line
+    print ""
+    next
+  }
+  !inside' "$page" > "$tables.page"
+cp "$tables.page" "$page"
