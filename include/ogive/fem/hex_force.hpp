@@ -11,40 +11,37 @@ namespace ogive {
 /// Nothing to prepare: hexes keep their neighbours.
 template <class T, class Law, class Rule> void prepare(HexBody<T, Law, Rule> &, const Nodes<T> &) {}
 
-/// Corner values of a node field for a pack of hexes.
+/// Corner values of a node field for a pack of hexes. The nodes of removed hexes may be anywhere: `of_removed` stands
+/// for their values.
 template <class T, class Law, class Rule>
-Corners<Pack<T>> gather_corners(const HexBody<T, Law, Rule> &body, const std::vector<Vec3<T>> &field, Index pack) {
+Corners<Pack<T>> gather_corners(const HexBody<T, Law, Rule> &body, const std::vector<Vec3<T>> &field, Index pack,
+                                const std::array<Vec3<T>, 8> &of_removed) {
   Corners<Pack<T>> values;
   for (int a = 0; a < 8; ++a) {
     std::array<const T *, lanes<T>> at;
-    for (Index l = 0; l < lanes<T>; ++l) at[l] = field[body.hexes[hex_in(body, pack, l)][a]].data();
+    for (Index l = 0; l < lanes<T>; ++l) {
+      const Index e = hex_in(body, pack, l);
+      at[l] = (is_removed(body, e) ? of_removed[a] : field[body.hexes[e][a]]).data();
+    }
     for (int d = 0; d < 3; ++d) values(a, d) = pack_of<T>([&](Index l) { return at[l][d]; });
   }
   return values;
 }
 
-/// Positions of the corners of a pack of hexes, m. Those of removed hexes may be anywhere: they count as at rest in a
-/// cube, so that all that follows from them is finite.
+/// Positions of the corners of a pack of hexes, m; removed ones count as cubes, so that all that follows is finite.
 template <class T, class Law, class Rule>
 Corners<Pack<T>> corner_positions(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack) {
-  Corners<Pack<T>> x = gather_corners(body, nodes.position, pack);
-  if (body.metal.damage.effect != FailureEffect::removal) return x;
-  for (int a = 0; a < 8; ++a)
-    for (int d = 0; d < 3; ++d)
-      x(a, d) = pack_of<T>(
-          [&](Index l) { return is_removed(body, hex_in(body, pack, l)) ? hex_corner<T>(a)[d] : x(a, d)[l]; });
-  return x;
+  std::array<Vec3<T>, 8> cube;
+  for (int a = 0; a < 8; ++a) cube[a] = hex_corner<T>(a);
+  return gather_corners(body, nodes.position, pack, cube);
 }
 
 /// Velocities of the corners of a pack of hexes, m/s; zero for removed ones.
 template <class T, class Law, class Rule>
 Corners<Pack<T>> corner_velocities(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack) {
-  Corners<Pack<T>> v = gather_corners(body, nodes.velocity, pack);
-  if (body.metal.damage.effect != FailureEffect::removal) return v;
-  for (int a = 0; a < 8; ++a)
-    for (int d = 0; d < 3; ++d)
-      v(a, d) = pack_of<T>([&](Index l) { return is_removed(body, hex_in(body, pack, l)) ? T(0) : v(a, d)[l]; });
-  return v;
+  std::array<Vec3<T>, 8> rest;
+  rest.fill(Vec3<T>::Zero());
+  return gather_corners(body, nodes.velocity, pack, rest);
 }
 
 /// Calls `f(e, lane)` for each hex of a pack.
