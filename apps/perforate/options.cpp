@@ -40,12 +40,7 @@ void assign(const Entry &entry, std::optional<int> &value, const Given &given) {
   value = static_cast<int>(*number);
 }
 
-void assign(const Entry &entry, bool &value, const Given &given) {
-  const bool may_be = given.kind == Given::untyped || given.kind == Given::boolean;
-  if (!may_be || (given.value != "true" && given.value != "false"))
-    refuse(given, "must be " + allowed_text(entry, value));
-  value = given.value == "true";
-}
+void assign(const Entry &, bool &value, const Given &given) { value = input::truth_given(given); }
 
 void assign(const Entry &entry, std::filesystem::path &value, const Given &given) {
   value = input::line_given(given, allowed_text(entry, value));

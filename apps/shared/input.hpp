@@ -124,6 +124,13 @@ inline double number_within(const Given &given, const Limits &limits) {
   return *number;
 }
 
+/// Whether true or false was given; throws SetupError for anything else.
+inline bool truth_given(const Given &given) {
+  const bool may_be = given.kind == Given::untyped || given.kind == Given::boolean;
+  if (!may_be || (given.value != "true" && given.value != "false")) refuse(given, "must be true or false");
+  return given.value == "true";
+}
+
 /// The text that was given; throws SetupError unless it is one of at least one character and without line breaks.
 inline std::string line_given(const Given &given, const std::string &allowed) {
   const bool may_be = given.kind == Given::untyped || given.kind == Given::text;
