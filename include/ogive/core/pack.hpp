@@ -82,6 +82,7 @@ inline __m512 register_reciprocal(__m512 a) {
   const __m512 y = _mm512_rcp14_ps(a);
   return y + y * (1 - a * y);
 }
+template <class R> bool register_any(R bits) { return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) != 0; }
 inline __m512d register_max(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
 inline __m512 register_max(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
 inline __m512d register_min(__m512d a, __m512d b) { return _mm512_min_pd(a, b); }
@@ -89,12 +90,19 @@ inline __m512 register_min(__m512 a, __m512 b) { return _mm512_min_ps(a, b); }
 inline __m512d register_sqrt(__m512d a) { return _mm512_sqrt_pd(a); }
 inline __m512 register_sqrt(__m512 a) { return _mm512_sqrt_ps(a); }
 #elif defined(__AVX__)
+template <class R> bool register_any(R bits) { return !_mm256_testz_si256((__m256i)bits, (__m256i)bits); }
 inline __m256d register_max(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
 inline __m256 register_max(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
 inline __m256d register_min(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
 inline __m256 register_min(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
 inline __m256d register_sqrt(__m256d a) { return _mm256_sqrt_pd(a); }
 inline __m256 register_sqrt(__m256 a) { return _mm256_sqrt_ps(a); }
+#else
+template <class R> bool register_any(R bits) {
+  bool found = false;
+  for (unsigned l = 0; l < sizeof bits / sizeof bits[0]; ++l) found |= bits[l] != 0;
+  return found;
+}
 #endif
 
 } // namespace detail
@@ -113,11 +121,7 @@ template <class T> Mask<T> operator<=(Pack<T> a, Pack<T> b) { return {a.v <= b.v
 template <class T> Mask<T> operator>=(Pack<T> a, Pack<T> b) { return {a.v >= b.v}; }
 
 /// True if a lane holds.
-template <class T> bool any(Mask<T> mask) {
-  bool found = false;
-  for (Index l = 0; l < lanes<T>; ++l) found |= mask[l];
-  return found;
-}
+template <class T> bool any(Mask<T> mask) { return detail::register_any(mask.v); }
 inline bool any(bool condition) { return condition; }
 
 /// `a` where the mask holds, else `b`.

@@ -21,7 +21,7 @@ template <class T> struct PairForces {
 /// B. rho_i rho_j Pi_ij is that of Monaghan & Gingold 1983, Pa, positive for approaching pairs, else zero: rho mu (beta
 /// mu - alpha c) with rho the mean density and mu = h v_ij . x_ij / (r^2 + 0.01 h^2).
 template <class Kernel, bool variable, class T>
-PairForces<T> pair_forces(const PairData<T> &d, Index c, std::span<const Index> neighbours, T h,
+PairForces<T> pair_forces(const PairData<T> &d, const Neighbours<T> &neighbours, Index c, T h,
                           const ArtificialViscosity<T> &viscosity) {
   using P = Pack<T>;
   const Index first = c * lanes<T>;
@@ -31,7 +31,7 @@ PairForces<T> pair_forces(const PairData<T> &d, Index c, std::span<const Index> 
   const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
   const T half_beta = T(0.5) * viscosity.quadratic, half_alpha_c = T(0.5) * viscosity.linear * viscosity.sound_speed;
   P fx, fy, fz, sx, sy, sz, power;
-  for (const Index j : neighbours) {
+  for (const Index j : row_within(neighbours, c)) {
     const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
     const P r2 = dx * dx + dy * dy + dz * dz;
     const P pair_h = variable ? T(0.5) * (hi + d.smoothing[j]) : hi;
@@ -93,7 +93,7 @@ void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
                                          sound_speed(body.metal)};
   const auto drive = [&](auto variable) {
     for_each_cluster(body.neighbours, [&](Index c) {
-      const auto pairs = pair_forces<K, variable.value>(body.pair_data, c, row(body.neighbours, c), h, viscosity);
+      const auto pairs = pair_forces<K, variable.value>(body.pair_data, body.neighbours, c, h, viscosity);
       for_each_lane(body, c, [&](Index i, Index lane) {
         nodes.force[body.nodes.begin + i] += Vec3<T>(pairs.x[lane], pairs.y[lane], pairs.z[lane]);
         body.viscous_energy[i] += dt * pairs.viscous_power[lane];

@@ -71,9 +71,10 @@ template <class T> struct GradientSums {
   Mat3<Pack<T>> moment;   ///< M = -sum of V_j grad W_ij (x) x_ij
 };
 
-/// The sums of cluster c over the places `neighbours`. With `variable`, a pair's smoothing length is the mean of both.
+/// The sums of cluster c over its neighbours; marks those within the support. With `variable`, a pair's smoothing
+/// length is the mean of both.
 template <class Kernel, bool variable, class T>
-GradientSums<T> gradient_sums(const PairData<T> &d, Index c, std::span<const Index> neighbours, T h) {
+GradientSums<T> gradient_sums(const PairData<T> &d, Neighbours<T> &neighbours, Index c, T h) {
   using P = Pack<T>;
   const Index first = c * lanes<T>;
   const P xi = load_pack(&d.x[first]), yi = load_pack(&d.y[first]), zi = load_pack(&d.z[first]);
@@ -81,11 +82,13 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Index c, std::span<const Ind
   const P hi = variable ? load_pack(&d.smoothing[first]) : P(h);
   const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
   P lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, mxx, myy, mzz, mxy, myz, mzx;
-  for (const Index j : neighbours) {
+  BitWriter within{bits(neighbours, c)};
+  for (const Index j : row(neighbours, c)) {
     const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
+    const P r2 = dx * dx + dy * dy + dz * dz;
     const P inverse_h = variable ? T(2) / (hi + d.smoothing[j]) : fixed_inverse;
     const P norm = variable ? gradient_norm<Kernel>(inverse_h) : fixed_norm;
-    const P w = norm * d.volume[j] * slope_over_u<Kernel>(dx * dx + dy * dy + dz * dz, inverse_h);
+    const P w = norm * d.volume[j] * slope_over_u<Kernel>(r2, inverse_h);
     const P gx = w * dx, gy = w * dy, gz = w * dz;
     const P ux = d.vx[j] - vxi, uy = d.vy[j] - vyi, uz = d.vz[j] - vzi;
     lxx += ux * gx, lxy += ux * gy, lxz += ux * gz;
@@ -93,7 +96,9 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Index c, std::span<const Ind
     lzx += uz * gx, lzy += uz * gy, lzz += uz * gz;
     mxx -= gx * dx, myy -= gy * dy, mzz -= gz * dz;
     mxy -= gx * dy, myz -= gy * dz, mzx -= gz * dx;
+    within.push(any(is_within_support(r2, inverse_h)));
   }
+  within.finish();
   GradientSums<T> sums;
   sums.gradient << lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz;
   sums.moment << mxx, mxy, mzx, mxy, myy, myz, mzx, myz, mzz;
@@ -127,7 +132,7 @@ template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T
   const T h = reference_smoothing_length(body);
   const auto drive = [&](auto variable) {
     for_each_cluster(body.neighbours, [&](Index c) {
-      const auto sums = gradient_sums<K, variable.value>(body.pair_data, c, row(body.neighbours, c), h);
+      const auto sums = gradient_sums<K, variable.value>(body.pair_data, body.neighbours, c, h);
       if constexpr (F::corrected) {
         const Mat3<Pack<T>> B = correction_matrix(sums.moment), L = sums.gradient * B;
         for (int k = 0; k < 9; ++k) store_pack(&body.pair_data.correction[k][c * lanes<T>], B(k / 3, k % 3));

@@ -71,6 +71,11 @@ template <class Kernel, class T> T slope_over_u(T r_squared, T inverse_h) {
   return Kernel::slope_over_u(u_squared * inverse_u, inverse_u);
 }
 
+/// Where a pair lies within the support, with room for the last bits of slope_over_u; from r^2 and 1/h.
+template <class T> auto is_within_support(T r_squared, T inverse_h) {
+  return r_squared * (inverse_h * inverse_h) < T(kernel_support * kernel_support * (1 + 1e-6));
+}
+
 /// (dW/dr)/r in 1/m5, from r^2 and 1/h: grad_i W_ij = gradient_over_r * (x_i - x_j). Finite at r = 0.
 template <class Kernel, class T> T gradient_over_r(T r_squared, T inverse_h) {
   return gradient_norm<Kernel>(inverse_h) * slope_over_u<Kernel>(r_squared, inverse_h);

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ogive {
@@ -31,6 +33,7 @@ template <class T> struct Neighbours {
   std::vector<MirrorImage> images;         ///< image g has the place order.size() + g
   std::vector<std::int64_t> cluster_begin; ///< number of clusters + 1
   std::vector<Index> list;                 ///< places
+  std::vector<std::uint64_t> within;       ///< a bit for each entry: within the support in this step
   std::vector<Vec3<T>> built_at;           ///< positions at the time of building, m
   T support = T(0);                        ///< distance within which the lists must be complete, m
   T reach = T(0);                          ///< support plus skin, m
@@ -43,6 +46,50 @@ template <class T> Index clusters(const Neighbours<T> &n) { return static_cast<I
 template <class T> std::span<const Index> row(const Neighbours<T> &n, Index c) {
   return {n.list.data() + n.cluster_begin[c], static_cast<std::size_t>(n.cluster_begin[c + 1] - n.cluster_begin[c])};
 }
+
+/// The bits of cluster c, 64 entries of its row to a word.
+template <class N> auto bits(N &n, Index c) { return n.within.begin() + (n.cluster_begin[c] / 64 + c); }
+
+/// Writes the bits of a cluster, entry by entry.
+template <class Words> struct BitWriter {
+  Words word;
+  std::uint64_t bits = 0;
+  int count = 0;
+  void push(bool bit) {
+    bits |= std::uint64_t(bit) << count;
+    if (++count == 64) *word++ = std::exchange(bits, 0), count = 0;
+  }
+  void finish() {
+    if (count > 0) *word = bits;
+  }
+};
+
+/// The entries of a row whose bits are set.
+template <class Words> struct SetEntries {
+  struct End {};
+  struct Iterator {
+    const Index *places;
+    const Index *last;
+    Words word;
+    std::uint64_t bits;
+    Index operator*() const { return places[std::countr_zero(bits)]; }
+    Iterator &operator++() { return bits &= bits - 1, skip_empty(), *this; }
+    bool operator!=(End) const { return places < last; }
+    void skip_empty() {
+      while (bits == 0 && (places += 64) < last) bits = *++word;
+    }
+  };
+  std::span<const Index> places;
+  Words words;
+  Iterator begin() const {
+    Iterator first{places.data(), places.data() + places.size(), words, places.empty() ? 0 : *words};
+    return first.skip_empty(), first;
+  }
+  End end() const { return {}; }
+};
+
+/// The places within the support of some particle of cluster c, as the last velocity gradient found them.
+template <class T> auto row_within(const Neighbours<T> &n, Index c) { return SetEntries{row(n, c), bits(n, c)}; }
 
 /// Calls `f(i, j)` once for each two particles i < j that a list brings together, and maybe for some farther apart.
 template <class T, class F> void for_each_neighbour_pair(const Neighbours<T> &n, F &&f) {
@@ -219,6 +266,7 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
     n.list.reserve(static_cast<std::size_t>(offset + offset / 16));
   }
   n.list.resize(static_cast<std::size_t>(offset));
+  n.within.assign(static_cast<std::size_t>(offset / 64 + total + 1), 0);
   parallel_for_chunks(total, chunk, [&](Index begin, Index) {
     const auto &rows = chunk_rows[begin / chunk];
     std::copy(rows.begin(), rows.end(), n.list.begin() + n.cluster_begin[begin]);
