@@ -68,11 +68,11 @@ TEST_CASE("projectiles have the analytic volume and mass", "[fem]") {
         front = std::min(front, p[2]), back = std::max(back, p[2]);
         widest = std::max(widest, std::hypot(p[0], p[1]));
       }
-      // The nodes of a polygon of 24 sides (the fewest here) lie 0.6 % outside of the circle of the same area; the
+      // The nodes of a polygon of 16 sides (the fewest here) lie 1.3 % outside of the circle of the same area; the
       // hemispherical nose is longer by as much.
       CHECK(std::abs(front) < 1e-12);
       CHECK(back == Approx(end).margin(nose == Nose::hemispherical ? 6e-5 : 1e-9));
-      CHECK(widest == Approx(0.01).epsilon(6e-3));
+      CHECK(widest == Approx(0.01).epsilon(1.35e-2));
     }
   }
   CHECK(ogive_radius(paper_projectile<double>(Nose::ogival)) == Approx(59.45e-3).epsilon(1e-4));
@@ -80,8 +80,8 @@ TEST_CASE("projectiles have the analytic volume and mass", "[fem]") {
 
 TEST_CASE("the blunt projectile at 0.6 mm is as fine as asked for", "[fem]") {
   const auto mesh = projectile_mesh(paper_projectile<double>(Nose::blunt), 0.6e-3, Extent::quarter);
-  CHECK(mesh.hexes.size() > 7000);
-  CHECK(mesh.hexes.size() < 10000);
+  CHECK(mesh.hexes.size() > 2500);
+  CHECK(mesh.hexes.size() < 4000);
   double longest = 0, shortest = 1;
   for (const auto &hex : mesh.hexes) {
     if (mesh.positions[hex[0]][2] > 0) continue;
@@ -90,8 +90,8 @@ TEST_CASE("the blunt projectile at 0.6 mm is as fine as asked for", "[fem]") {
       longest = std::max(longest, edge), shortest = std::min(shortest, edge);
     }
   }
-  CHECK(longest < 1.35 * 0.6e-3);
-  CHECK(shortest > 0.65 * 0.6e-3);
+  CHECK(longest < 1.95 * 0.6e-3);
+  CHECK(shortest > 0.9 * 0.6e-3);
 }
 
 TEST_CASE("full, half and quarter meshes are 4 : 2 : 1 and closed", "[fem]") {

@@ -37,7 +37,7 @@ template <class T> struct NodeToSurface {
   std::vector<T> slave_mass;                 ///< kg; 0: let go
   std::vector<Facet> facets;                 ///< masters, outward
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
-  T reference_time_step{};                   ///< s, of the stiffness; set by the first step
+  T reference_time_step{};                   ///< s, of the stiffness; 0: that of the first step
   std::vector<ContactForce<T>> forces;       ///< one for each slave
   std::vector<T> normal_energy;              ///< J, work taken by the penalty springs, one for each slave
   std::vector<T> friction_energy;            ///< J, one for each slave

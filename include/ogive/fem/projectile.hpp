@@ -16,13 +16,13 @@
 /// \file
 /// Hex meshes of projectiles, tip at z = 0, body at z > 0. Every cross section is an O-grid.
 ///
-/// Blunt: hexes of 0.9 to 1.3 times the particle distance in the cross section (1.2 along the rim, which is sharp), a
-/// little less in the four corners of the core; along the axis as long as the particle distance at the face and growing
-/// to a sixth of the diameter towards the tail. Conical and ogival: the cross section shrinks with the nose down to the
-/// flat tip, with fewer hexes across (2.6 times the particle distance along the shank's circumference, 2 times along
-/// its radius) because they all meet at the tip; see raise_time_step for the thin ones there. Hemispherical: the shell
-/// of the O-grid wraps around the front (a cubed sphere) with hexes of 1.4 times the particle distance along the
-/// surface, none of them thin.
+/// Blunt: hexes of 1.35 to 1.95 times the particle distance in the cross section (1.8 along the rim, which is sharp), a
+/// little less in the four corners of the core; along the axis 1.5 times the particle distance at the face and growing
+/// to a sixth of the diameter towards the tail: finer ones would set the time step. Conical and ogival: the cross
+/// section shrinks with the nose down to the flat tip, with fewer hexes across (3.2 times the particle distance along
+/// the shank's circumference, 2.8 times along its radius) because they all meet at the tip; see raise_time_step for the
+/// thin ones there. Hemispherical: the shell of the O-grid wraps around the front (a cubed sphere) with hexes of 1.4
+/// times the particle distance along the surface, none of them thin.
 ///
 /// Surface nodes lie a little outside of the true circle, such that the polygon has the circle's area: shank and cone
 /// have exactly the analytic volume.
@@ -63,9 +63,9 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
 
   OGridCounts n;
   const auto at_least = [](Index least, T value) { return std::max(least, static_cast<Index>(std::lround(value))); };
-  const T edge = spacing * (sharp ? T(2.6) : wraps ? T(1.4) : T(1.2));
+  const T edge = spacing * (sharp ? T(3.2) : wraps ? T(1.4) : T(1.8));
   n.core = at_least(sharp ? 2 : 3, eighth_turn * radius / edge);
-  n.shell = at_least(2, (sharp ? T(0.6) : T(0.45)) * T(n.core));
+  n.shell = at_least(2, (sharp ? T(0.6) : wraps ? T(0.45) : T(0.55)) * T(n.core));
   n.covers_front = wraps;
 
   const T polygon_angle = eighth_turn / T(n.core);
@@ -79,7 +79,12 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
   const Index nose_levels = wraps ? n.core : static_cast<Index>(stations.size()) - 1;
   if (wraps) stations.assign(nose_levels + 1, shoulder);
   const T longest = std::max(shape.diameter / T(6), T(2) * spacing);
-  const auto shank = graded_stations(shape.shank_length, sharp ? T(2) * spacing : spacing, T(1.1), longest);
+  const auto shank = graded_stations(shape.shank_length,
+                                     (sharp   ? T(2)
+                                      : wraps ? T(1)
+                                              : T(1.5)) *
+                                         spacing,
+                                     T(1.1), longest);
   for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(shoulder + shank[k]);
   n.along = static_cast<Index>(stations.size()) - 1;
 

@@ -23,7 +23,7 @@ template <class T> struct PerforationOptions {
   SphOptions<T> sph{};
   HexOptions<T> hex{};
   T rim_size_ratio = T(2.5);      ///< hex size at the disc's edge over the particle distance
-  T deformable_courant = T(0.4);  ///< particles' Courant number with a deformable projectile
+  T contact_courant = T(0.4);     ///< of the time step that the contact's stiffness is made for
   T largest_added_mass = T(0.01); ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
 };
 
@@ -78,7 +78,6 @@ PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationC
   const DiscShape<T> disc_shape{c.sph_radius, c.thickness, c.spacing};
   const ParticleLayout<T> layout =
       c.lattice == Lattice::cubic ? cubic_disc(disc_shape, c.extent) : ring_disc(disc_shape, c.extent);
-  if (!c.rigid_projectile) options.sph.courant = std::min(options.sph.courant, options.deformable_courant);
 
   Nodes<T> nodes;
   auto particles = add_sph_body<Kernel, Form>(nodes, layout, plate, "disc", planes, options.sph);
@@ -110,6 +109,7 @@ PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationC
   auto contact = make_contact(nodes, std::move(slaves), std::move(offset),
                               shifted(contact_facets(shot_mesh, c.extent), shot.nodes.begin), "plate on projectile",
                               ContactOptions<T>{.friction = c.friction, .rigid_masters = c.rigid_projectile}, planes);
+  contact.reference_time_step = options.contact_courant * layout.spacing / sound_speed(plate);
   const auto edge = shifted(inner_facets(mesh_of_rim, rim_shape), rim_hexes.nodes.begin);
   auto tie = make_tie(nodes, particles.nodes, edge, rim_hexes.hexes, layout.spacing);
 

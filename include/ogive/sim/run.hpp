@@ -88,6 +88,7 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer
     const Energy<T> ledger = energy(model);
     if (const T error = total(ledger) / initial_energy - T(1);
         initial_energy > T(0) && !(std::abs(error) <= options.largest_energy_error)) {
+      if (const auto fault = find_not_finite(model)) return stop_at(*fault);
       std::ostringstream what;
       what << "the energy balance is off by " << double(error) * 100 << " %";
       return stop_at({what.str(), "model", -1, double(model.time) * 1e6});

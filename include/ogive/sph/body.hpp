@@ -30,7 +30,7 @@ template <class T> struct SphOptions {
   T quadratic_viscosity = T(1.5);  ///< Monaghan's beta
   bool variable_smoothing = false; ///< h follows the density: h = h0 (rho0/rho)^(1/3), at most 1.3 h0
   T skin_ratio = T(0.25);          ///< reach of the neighbour lists beyond the support, over the particle distance
-  T courant = T(0.45);             ///< time step = courant * particle distance / longitudinal sound speed
+  T courant = T(0.5);              ///< time step = courant * particle distance / longitudinal sound speed
 };
 
 /// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
