@@ -50,8 +50,8 @@ std::string shares(const Shot &s) {
   for (std::size_t k = 0; k < ogive::phase_count; ++k) {
     const auto phase = static_cast<ogive::Phase>(k);
     char share[64];
-    std::snprintf(share, sizeof share, "%s%s %.0f %%", text.empty() ? "" : ", ", std::string(ogive::name(phase)).c_str(),
-                  100 * s.times[phase] / total);
+    std::snprintf(share, sizeof share, "%s%s %.0f %%", text.empty() ? "" : ", ",
+                  std::string(ogive::name(phase)).c_str(), 100 * s.times[phase] / total);
     text += share;
   }
   return text;
@@ -145,12 +145,20 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   if (test) j["test_residual_velocity_mps"] = test->residual_mps, j["test_origin"] = test->origin;
   j["plug_mass_g"] = s.fragments.plug_mass * 1e3;
   j["plug_velocity_mps"] = s.fragments.plug_velocity;
+  j["plug_thickness_mm"] = s.shape.plug_thickness * 1e3;
+  j["dishing_mm"] = s.shape.dishing * 1e3;
+  j["kept_fraction"] = s.shape.kept_fraction;
+  j["petal_height_mm"] = s.shape.petal_height * 1e3;
+  j["band_temperature_K"] = s.shape.band_temperature;
+  j["core_temperature_K"] = s.shape.core_temperature;
+  j["most_temperature_K"] = s.shape.most_temperature;
   j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
   j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
   j["failed_particles"] = s.fragments.failed;
   j["projectile_mass_g"] = s.sizes.projectile_mass_g;
   j["added_mass_g"] = s.sizes.added_mass_g;
   j["largest_intrusion_mm"] = s.intrusion_mm;
+  j["hourglass_fraction"] = s.hourglass_fraction;
   j["energy_error"] = s.energy_error;
   j["momentum_error"] = s.momentum_error;
   j["particles"] = s.sizes.particles;

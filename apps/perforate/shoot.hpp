@@ -62,6 +62,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   auto model =
       ogive::make_perforation<Kernel, Form, Rule>(c, plate, ogive::library::arne_tool_steel<double>(), numerics);
   const auto shape = ogive::paper_projectile<double>(options.nose);
+  const auto undeformed = ogive::disc_positions(model);
 
   Shot shot;
   shot.material = plate.name;
@@ -94,6 +95,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
     const double momentum = -ogive::momentum(now)[2], time_us = now.time * 1e6;
     const double impulse = -now.support_impulse[2] * now.symmetry.copies();
     if (shot.flight.samples.size() == 1) first_energy = total(e), first_momentum = momentum;
+    shot.hourglass_fraction = e.hourglass / first_energy;
     const double error = std::abs(total(e) / first_energy - 1);
     if (!(error <= shot.energy_error)) shot.energy_error = error;
     shot.momentum_error = std::max(shot.momentum_error, std::abs(momentum - first_momentum - impulse) / first_momentum);
@@ -119,6 +121,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   shot.steps = model.steps;
   shot.simulated_us = model.time * 1e6;
   shot.fragments = ogive::find_fragments(model);
+  shot.shape = ogive::plate_shape(model, undeformed, shape.diameter / 2, c.thickness);
   shot.state_hash = ogive::state_hash(model);
   shot.times = model.times;
   shot.last_frame = ogive::gather_frame(model);

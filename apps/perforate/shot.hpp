@@ -4,7 +4,7 @@
 
 #include "ogive/io/frame.hpp"
 #include "ogive/perforation/flight.hpp"
-#include "ogive/perforation/plug.hpp"
+#include "ogive/perforation/shape.hpp"
 #include "ogive/sim/energy.hpp"
 #include "ogive/sim/run.hpp"
 
@@ -33,14 +33,16 @@ struct Shot {
   ogive::StopReason reason = ogive::StopReason::end_time;
   std::optional<ogive::Fault> fault;
   ogive::Fragments<double> fragments;
-  double intrusion_mm = 0;   ///< deepest over the frames: particle behind the projectile's surface
-  double energy_error = 0;   ///< largest over the run, of the initial energy
-  double momentum_error = 0; ///< largest over the run, against the supports' impulse, of the initial momentum
-  double loop_s = 0;         ///< wall time of the time loop without writing files
-  double wall_s = 0;         ///< wall time of the whole run
+  ogive::PlateShape<double> shape;
+  double intrusion_mm = 0;       ///< deepest over the frames: particle behind the projectile's surface
+  double hourglass_fraction = 0; ///< of the initial energy, at the end
+  double energy_error = 0;       ///< largest over the run, of the initial energy
+  double momentum_error = 0;     ///< largest over the run, against the supports' impulse, of the initial momentum
+  double loop_s = 0;             ///< wall time of the time loop without writing files
+  double wall_s = 0;             ///< wall time of the whole run
   long steps = 0;
   double simulated_us = 0;
-  ogive::PhaseTimes times;   ///< wall time of the parts of the time loop
+  ogive::PhaseTimes times; ///< wall time of the parts of the time loop
   std::uint64_t state_hash = 0;
   ogive::Frame last_frame;
   ogive::SymmetryPlanes symmetry;

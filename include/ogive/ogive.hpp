@@ -5,7 +5,7 @@
 
 #include "ogive/material/library.hpp"
 #include "ogive/perforation/flight.hpp"
-#include "ogive/perforation/plug.hpp"
+#include "ogive/perforation/shape.hpp"
 #include "ogive/perforation/setup.hpp"
 #include "ogive/sim/energy.hpp"
 #include "ogive/sim/hash.hpp"

@@ -1,6 +1,6 @@
 #include "catch.hpp"
 
-#include "ogive/perforation/plug.hpp"
+#include "ogive/perforation/shape.hpp"
 
 using namespace ogive;
 
@@ -84,4 +84,41 @@ TEST_CASE("the intrusion is the depth of the deepest particle in the projectile"
   CHECK(largest_intrusion(model) == Approx(2.5e-3).margin(0.2e-3));
   p[first + 3] = {8e-3, 7e-3, 5e-3}; // in the projectile's box but outside: at a radius of 10.6 mm
   CHECK(largest_intrusion(model) == Approx(2.5e-3).margin(0.2e-3));
+}
+
+TEST_CASE("the plate's shape tells a plug from a bulge", "[perforation]") {
+  auto model = plate_and_shot(Nose::blunt, Extent::quarter);
+  auto &body = disc(model);
+  const auto undeformed = disc_positions(model);
+  const auto place = [&](auto &&moved) {
+    for (Index i = 0; i < body.nodes.size(); ++i) {
+      const Vec3<double> &x0 = undeformed[i];
+      model.nodes.position[body.nodes.begin + i] = moved(x0, std::hypot(x0[0], x0[1]));
+    }
+    prepare(body, model.nodes);
+    return plate_shape(model, undeformed, 10e-3, 6e-3);
+  };
+
+  const auto whole = place([](const Vec3<double> &x, double) { return x; });
+  CHECK(whole.plug_thickness == 0);
+  CHECK(whole.dishing == 0);
+  CHECK(whole.kept_fraction == Approx(1));
+  CHECK(whole.petal_height == Approx(0).margin(1e-12)); // the rear layer lies half a particle distance inside
+  CHECK(whole.band_temperature == Approx(293));
+
+  // A plug compressed by a tenth leaves; the plate dishes by 0.4 mm where it is read.
+  for (Index i = 0; i < body.nodes.size(); ++i)
+    body.points.temperature[i] = std::abs(std::hypot(undeformed[i][0], undeformed[i][1]) - 10e-3) < 1e-3 ? 900 : 350;
+  const auto plugged = place([](const Vec3<double> &x, double r) {
+    if (r < 10e-3) return Vec3<double>(x[0], x[1], 0.9 * x[2] - 20e-3);
+    return Vec3<double>(x[0], x[1], x[2] - 0.4e-3);
+  });
+  // Layers stand one particle distance apart, so that the faces lie half of one beyond the outermost.
+  CHECK(plugged.plug_thickness == Approx(0.9 * 5e-3 + 1e-3).epsilon(1e-6));
+  CHECK(plugged.dishing == Approx(0.4e-3).epsilon(1e-6));
+  CHECK(plugged.kept_fraction == 0);
+  CHECK(plugged.petal_height == Approx(0.4e-3).epsilon(1e-6));
+  CHECK(plugged.band_temperature == Approx(900));
+  CHECK(plugged.core_temperature == Approx(350));
+  CHECK(plugged.most_temperature == 900);
 }

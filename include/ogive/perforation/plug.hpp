@@ -41,40 +41,63 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
   return piece;
 }
 
+/// What each particle of the disc belongs to.
+struct Pieces {
+  std::vector<Index> of;    ///< the piece of each particle, of connected_pieces()
+  std::vector<bool> at_rim; ///< by piece: it hangs on the rim
+  std::vector<bool> failed; ///< by particle: it belongs to no piece
+  Index plug = -1;          ///< the heaviest loose piece; -1 if there is none
+
+  bool is_loose(Index i) const { return !failed[i] && !at_rim[of[i]]; }
+  bool hangs(Index i) const { return !failed[i] && at_rim[of[i]]; }
+};
+
+/// Pieces of sound particles that chains of neighbours nearer than `ratio` particle distances connect, and which of
+/// them the tie holds on the rim.
+template <class M> Pieces find_pieces(const M &model, double ratio = 1.5) {
+  const auto &body = disc(model);
+  using T = std::decay_t<decltype(body.spacing)>;
+  Pieces p;
+  p.of = connected_pieces(body, model.nodes, T(ratio) * body.spacing);
+  const Index n = static_cast<Index>(p.of.size());
+  p.at_rim.assign(n, false), p.failed.assign(n, false);
+  for (const auto &tie : model.ties)
+    for (const auto &t : tie.nodes) p.at_rim[p.of[t.slave - body.nodes.begin]] = true;
+  std::vector<T> mass(n, T(0));
+  for (Index i = 0; i < n; ++i) {
+    p.failed[i] = is_failed(body.metal.damage, body.points.damage[i]);
+    mass[p.of[i]] += body.point_mass[i];
+  }
+  for (Index i = 0; i < n; ++i)
+    if (p.of[i] == i && p.is_loose(i) && (p.plug < 0 || mass[i] > mass[p.plug])) p.plug = i;
+  return p;
+}
+
 /// Plug and debris: pieces of sound particles that no chain of neighbours nearer than `ratio` particle distances
 /// connects to the rim. In a quarter model a piece is taken with its mirror images.
 template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   const auto &body = disc(model);
-  const auto &nodes = model.nodes;
   using T = std::decay_t<decltype(body.spacing)>;
-  const auto piece = connected_pieces(body, nodes, T(ratio) * body.spacing);
-  std::vector<T> mass(piece.size(), T(0)), momentum(piece.size(), T(0));
-  std::vector<bool> at_rim(piece.size(), false);
-  for (const auto &tie : model.ties)
-    for (const auto &t : tie.nodes) at_rim[piece[t.slave - body.nodes.begin]] = true;
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    mass[piece[i]] += body.point_mass[i];
-    momentum[piece[i]] -= body.point_mass[i] * nodes.velocity[body.nodes.begin + static_cast<Index>(i)][2];
-  }
+  const Pieces pieces = find_pieces(model, ratio);
   Fragments<T> f;
-  Index plug = -1;
-  T loose{};
-  const T copies = T(model.symmetry.copies());
-  for (Index i = 0; i < static_cast<Index>(piece.size()); ++i) {
-    if (is_failed(body.metal.damage, body.points.damage[i])) {
-      ++f.failed;
-      f.failed_mass += copies * body.point_mass[i];
+  T plug{}, momentum{}, debris{};
+  for (Index i = 0; i < static_cast<Index>(pieces.of.size()); ++i) {
+    const T mass = body.point_mass[i];
+    if (pieces.failed[i]) ++f.failed, f.failed_mass += mass;
+    if (!pieces.is_loose(i)) continue;
+    if (pieces.of[i] == i) ++f.pieces;
+    if (pieces.of[i] != pieces.plug) {
+      debris += mass;
       continue;
     }
-    if (piece[i] != i || at_rim[i]) continue;
-    ++f.pieces;
-    loose += mass[i];
-    if (plug < 0 || mass[i] > mass[plug]) plug = i;
+    plug += mass;
+    momentum -= mass * model.nodes.velocity[body.nodes.begin + i][2];
   }
-  if (plug < 0) return f;
-  f.plug_mass = copies * mass[plug];
-  f.plug_velocity = momentum[plug] / mass[plug];
-  f.debris_mass = copies * (loose - mass[plug]);
+  const T copies = T(model.symmetry.copies());
+  f.failed_mass *= copies;
+  f.plug_mass = copies * plug;
+  f.debris_mass = copies * debris;
+  if (plug > T(0)) f.plug_velocity = momentum / plug;
   return f;
 }
 
