@@ -28,6 +28,12 @@ inline std::vector<std::vector<std::string>> read_rows(const std::filesystem::pa
   return rows;
 }
 
+/// Mass of the tests' projectiles, kg.
+inline constexpr double projectile_mass_kg = 0.197;
+
+/// Mass of a cylinder of the projectile's diameter out of a steel plate, kg.
+inline double plug_mass_kg(double thickness_mm) { return 7850 * std::numbers::pi * 0.01 * 0.01 * thickness_mm * 1e-3; }
+
 /// A residual velocity to compare with and where it comes from.
 struct Residual {
   double residual_mps = 0;
@@ -51,9 +57,9 @@ inline std::optional<Residual> find_residual(const std::filesystem::path &folder
   if (shot) return shot;
   for (const auto &row : read_rows(folder / "experiment_limits.csv"))
     if (same(row)) {
-      const double limit = std::stod(row[4]), mass_kg = 0.197;
-      const double plug_kg = nose == "blunt" ? 7850 * std::numbers::pi * 0.01 * 0.01 * thickness_mm * 1e-3 : 0.0;
-      const double a = row[5].empty() ? mass_kg / (mass_kg + plug_kg) : std::stod(row[5]);
+      const double limit = std::stod(row[4]);
+      const double plug_kg = nose == "blunt" ? plug_mass_kg(thickness_mm) : 0.0;
+      const double a = row[5].empty() ? projectile_mass_kg / (projectile_mass_kg + plug_kg) : std::stod(row[5]);
       const double p = row[6].empty() ? 2.0 : std::stod(row[6]);
       const double residual =
           velocity_mps > limit ? a * std::pow(std::pow(velocity_mps, p) - std::pow(limit, p), 1 / p) : 0.0;

@@ -70,22 +70,33 @@ inline std::string gnuplot_file(const std::filesystem::path &file) {
   return gnuplot_quoted(std::filesystem::absolute(file).string());
 }
 
-/// Settings that all pictures share: an SVG on white, CSV files, quiet axes.
-inline constexpr const char *gnuplot_style =
-    "set encoding utf8; "
-    "set terminal svg size 900,600 noenhanced font 'Helvetica,Arial,sans-serif,18' "
-    "background 'white' linewidth 1.2; "
-    "set datafile separator ','; set border 3 linecolor '#404040'; set tics nomirror out; "
-    "set grid linecolor '#d8d8d8' linewidth 0.7 dashtype 1; ";
+/// Width and height of a picture in pixels.
+struct PictureSize {
+  int width = 900;
+  int height = 600;
+};
 
-/// Draws what `commands` (one line of gnuplot's: settings and a plot) say as the SVG `picture`, in place of an old one.
-/// Throws WriteError if gnuplot is missing or fails, or the file cannot be written; the old one stays then.
-inline void draw_with_gnuplot(const std::string &commands, const std::filesystem::path &picture) {
+/// Settings that all pictures share: white ground, CSV files, quiet axes.
+inline std::string gnuplot_style(bool png, PictureSize size) {
+  const std::string pixels = " size " + std::to_string(size.width) + "," + std::to_string(size.height);
+  return "set encoding utf8; set terminal " +
+         (png ? "pngcairo" + pixels + " noenhanced font 'sans,12' linewidth 1.2"
+              : "svg" + pixels + " noenhanced font 'Helvetica,Arial,sans-serif,18' linewidth 1.2") +
+         " background 'white'; "
+         "set datafile separator ','; set border 3 linecolor '#404040'; set tics nomirror out; "
+         "set grid linecolor '#d8d8d8' linewidth 0.7 dashtype 1; ";
+}
+
+/// Draws what `commands` (one line of gnuplot's: settings and a plot) say as `picture`, in place of an old one: a PNG
+/// if its name ends so, else an SVG. Throws WriteError if gnuplot is missing or fails, or the file cannot be written;
+/// the old one stays then.
+inline void draw_with_gnuplot(const std::string &commands, const std::filesystem::path &picture,
+                              PictureSize size = {}) {
   require_replaceable(picture);
   const auto temporary = temporary_name(picture);
   if (!gnuplot_available()) throw write_error(picture, "gnuplot is not installed or not in PATH");
-  const std::string script =
-      gnuplot_style + ("set output " + gnuplot_file(temporary)) + "; " + commands + "; unset output";
+  const std::string script = gnuplot_style(picture.extension() == ".png", size) +
+                             ("set output " + gnuplot_file(temporary)) + "; " + commands + "; unset output";
   const int status = run_gnuplot({"-e", script});
   std::error_code error;
   const bool drawn = status == 0 && std::filesystem::file_size(temporary, error) > 0 && !error;

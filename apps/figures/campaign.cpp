@@ -1,0 +1,244 @@
+#include "campaign.hpp"
+
+#include "plots.hpp"
+
+#include "ogive/io/atomic_file.hpp"
+#include "ogive/version.hpp"
+#include "shared/command_line.hpp"
+#include "shared/experiment.hpp"
+#include "shared/out_folder.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <set>
+#include <thread>
+
+namespace figures {
+
+namespace {
+
+namespace fs = std::filesystem;
+using input::Given;
+using input::refuse;
+
+enum ExitStatus { success = 0, failure = 1, bad_input = 2, shots_failed = 3 };
+
+constexpr input::Limits spacing_limits{0.05, 5, "mm"};
+
+int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+std::string figures_of(const Campaign &campaign) {
+  std::string text;
+  for (const int figure : campaign.figures) text += (text.empty() ? "" : ", ") + std::to_string(figure);
+  return text;
+}
+
+std::vector<input::Flag> flags(const Campaign &campaign) {
+  using input::Flag;
+  return {{"figure", "one of " + figures_of(campaign)},
+          {"quick", "", Flag::none},
+          {"model", "mjc, jc or both"},
+          {"spacing_mm", "a number between " + text_of(spacing_limits)},
+          {"jobs", "a whole number from 1"},
+          {"shard", "I/N"},
+          {"run", "", Flag::none},
+          {"limits", "", Flag::none},
+          {"out", "the name of a folder"},
+          {"perforate", "the name of a program"}};
+}
+
+std::string help(const Campaign &campaign) {
+  const auto item = [](const char *key, const std::string &text) {
+    return input::help_item(input::flag_of(key), text);
+  };
+  return campaign.name + ": " + campaign.purpose +
+         "\nShots that have a row in OUT/shots*.csv are not run again; a run that is stopped goes on where it "
+         "was.\n\n" +
+         item("figure N", "this one alone, of " + figures_of(campaign)) +
+         item("quick", "coarse: particles 1.5 mm apart, in vtk_out/figures_quick") +
+         item("model mjc|jc|both", "flow stress; pictures have mjc only [both]") +
+         item("spacing_mm NUMBER",
+              "particle distance, " + text_of(spacing_limits, " to ") + " [0.6, as in the paper]") +
+         item("jobs NUMBER", "shots at a time; they share the cores [as many as cores]") +
+         item("shard I/N", "run only the I-th of N parts, for several machines; draws nothing") +
+         item("no_run", "only draw what is known") + item("no_limits", "without bisection of the ballistic limits") +
+         item("out FOLDER", "for rows, shots and pictures; programs and shards may share it [vtk_out/figures]") +
+         item("perforate PROGRAM", "that runs a shot [the one beside this program]");
+}
+
+int whole_number(const Given &given, int low, int high) {
+  const auto number = input::number_given(given);
+  if (!number || *number != std::floor(*number) || *number < low || *number > high)
+    refuse(given, "must be a whole number between " + std::to_string(low) + " and " + std::to_string(high));
+  return static_cast<int>(*number);
+}
+
+void apply(Options &o, const Campaign &campaign, const Given &given) {
+  if (given.key == "figure") {
+    o.figure = whole_number(given, 1, 99);
+    if (std::find(campaign.figures.begin(), campaign.figures.end(), *o.figure) == campaign.figures.end())
+      refuse(given, "must be one of " + figures_of(campaign));
+  }
+  if (given.key == "quick") o.quick = input::truth_given(given);
+  if (given.key == "run") o.run = input::truth_given(given);
+  if (given.key == "limits") o.limits = input::truth_given(given);
+  if (given.key == "spacing_mm") o.spacing_mm = input::number_within(given, spacing_limits);
+  if (given.key == "jobs") o.jobs = whole_number(given, 1, 1000);
+  if (given.key == "out") o.out = input::line_given(given, "the name of a folder");
+  if (given.key == "perforate") o.perforate = input::line_given(given, "the name of a program");
+  if (given.key == "model") {
+    o.model = given.value;
+    if (o.model != "mjc" && o.model != "jc" && o.model != "both") refuse(given, "must be mjc, jc or both");
+  }
+  if (given.key == "shard") {
+    const std::size_t slash = given.value.find('/');
+    const auto part = ogive::number_from(given.value.substr(0, slash));
+    const auto parts = slash == std::string::npos ? std::nullopt : ogive::number_from(given.value.substr(slash + 1));
+    if (!part || !parts || *part != std::floor(*part) || *parts != std::floor(*parts) || *part < 1 || *part > *parts ||
+        *parts > 10000)
+      refuse(given, "must be I/N with whole numbers 1 <= I <= N");
+    o.shard = static_cast<int>(*part), o.shards = static_cast<int>(*parts);
+  }
+}
+
+/// Nothing if --help or --version was asked for and has been printed.
+std::optional<Options> parse(const Campaign &campaign, int argc, const char *const *argv) {
+  const auto line = input::read_command_line(campaign.name, flags(campaign), argc, argv);
+  if (line.help) std::cout << help(campaign);
+  if (line.version) std::cout << campaign.name << " " << ogive::version << "\n";
+  if (line.help || line.version) return std::nullopt;
+  if (line.config) refuse("--config", *line.config, "is not known here");
+  Options o;
+  o.jobs = cores();
+  std::set<std::string> seen;
+  for (const Given &given : line.given) apply(o, campaign, given), seen.insert(given.key);
+  if (o.quick && !seen.contains("spacing_mm")) o.spacing_mm = 1.5;
+  if (o.quick && !seen.contains("out")) o.out = "vtk_out/figures_quick";
+  if (o.perforate.empty()) o.perforate = fs::read_symlink("/proc/self/exe").parent_path() / "perforate";
+  if (o.run && !fs::exists(o.perforate)) refuse("--perforate", o.perforate.string(), "there is no such program");
+  return o;
+}
+
+/// Those of a list that belong to the shard.
+template <class T> std::vector<T> share_of(const std::vector<T> &all, const Options &o) {
+  std::vector<T> mine;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (static_cast<int>(k % static_cast<std::size_t>(o.shards)) == o.shard - 1) mine.push_back(all[k]);
+  return mine;
+}
+
+/// The tasks of a list, each once, with the most frequent frames that are asked for.
+std::vector<Task> tasks_of(const std::vector<ListedShot> &shots) {
+  std::vector<Task> tasks;
+  for (const ListedShot &shot : shots) {
+    const auto found =
+        std::find_if(tasks.begin(), tasks.end(), [&](const Task &task) { return task.key == shot.task.key; });
+    if (found == tasks.end())
+      tasks.push_back(shot.task);
+    else if (shot.task.frames_us > 0)
+      found->frames_us = found->frames_us > 0 ? std::min(found->frames_us, shot.task.frames_us) : shot.task.frames_us;
+  }
+  return tasks;
+}
+
+/// The series that the curves of the list belong to, in its order.
+std::vector<SeriesKey> series_in(const std::vector<ListedShot> &shots) {
+  std::vector<SeriesKey> series;
+  for (const ListedShot &shot : shots) {
+    const SeriesKey key = series_of(shot.task.key);
+    if (!shot.picture && std::find(series.begin(), series.end(), key) == series.end()) series.push_back(key);
+  }
+  return series;
+}
+
+int run(const Campaign &campaign, const Options &o) {
+  const fs::path data = FIGURES_DATA_FOLDER;
+  const auto shots = listed_shots(campaign, o, data);
+  const auto series = series_in(shots);
+  const std::string part = o.shards > 1 ? "." + std::to_string(o.shard) + "-of-" + std::to_string(o.shards) : "";
+  const Workshop workshop{o.out, o.out / ("shots" + part + ".csv"), fs::absolute(o.perforate), o.jobs,
+                          std::max(1, cores() / o.jobs)};
+  Outcome all;
+  const auto work = [&](const std::vector<Task> &tasks) {
+    const Outcome now = run_shots(workshop, tasks, [](const std::string &line) {
+      std::printf("%s\n", line.c_str());
+      std::fflush(stdout);
+    });
+    all.run += now.run, all.known += now.known;
+    all.failed.insert(all.failed.end(), now.failed.begin(), now.failed.end());
+    return now.run > 0 && now.failed.empty();
+  };
+  if (o.run) {
+    input::prepare_out(o.out, 64e6, "");
+    work(share_of(tasks_of(shots), o));
+    const auto mine = share_of(series, o);
+    while (o.limits) {
+      const auto round = next_round(mine, read_all_rows(o.out), data);
+      if (round.empty() || !work(round)) break;
+    }
+    std::printf("%d shots run, %d known before, %zu failed\n", all.run, all.known, all.failed.size());
+  }
+  if (o.shards == 1) {
+    const auto rows = read_all_rows(o.out);
+    const auto limits = find_limits(series, rows, data);
+    for (const LimitRow &row : limits) std::printf("%s\n", described(row).c_str());
+    if (!limits.empty()) ogive::write_atomically(o.out / (campaign.name + "_limits.csv"), limits_csv(limits));
+    for (const Plot &plot : campaign.plots) {
+      if (o.figure && *o.figure != plot.figure) continue;
+      if (draw_plot(plot, series, rows, limits, data, o.out))
+        std::printf("figure %d: %s\n", plot.figure, (o.out / ("figure_" + std::to_string(plot.figure))).c_str());
+    }
+  }
+  for (const std::string &line : all.failed)
+    std::fprintf(stderr, "%s: failed: %s\n", campaign.name.c_str(), line.c_str());
+  return all.failed.empty() ? success : shots_failed;
+}
+
+} // namespace
+
+std::vector<ListedShot> listed_shots(const Campaign &campaign, const Options &o, const fs::path &data) {
+  const fs::path file = data / "figure_shots.csv";
+  std::vector<ListedShot> shots;
+  for (const char *model : {"mjc", "jc"}) {
+    if (o.model != "both" && o.model != model) continue;
+    for (const auto &row : experiment::read_rows(file)) {
+      if (row.size() != 9) throw ogive::SetupError(file.string() + ": fields in a row: must be 9");
+      const auto figure = ogive::number_from(row[0]), thickness = ogive::number_from(row[6]),
+                 velocity = ogive::number_from(row[7]);
+      if (!figure || !thickness || !velocity)
+        throw ogive::SetupError(file.string() + ": figure, thickness_mm and initial_velocity_mps must be numbers");
+      if (row[1] != campaign.name || (row[3] != "both" && row[3] != model)) continue;
+      ListedShot shot{static_cast<int>(*figure), row[2] == "picture", {}};
+      shot.task.key = {"sfm", model, row[4], row[5], *thickness, *velocity, o.spacing_mm};
+      shot.task.frames_us = ogive::number_from(row[8]).value_or(0);
+      // Fig. 9 and 13 are the limits of the plates of Fig. 6 and 12.
+      const bool limits_too = !shot.picture && o.figure &&
+                              *o.figure == (shot.figure == 6    ? 9
+                                            : shot.figure == 12 ? 13
+                                                                : 0);
+      if (!o.figure || *o.figure == shot.figure || limits_too) shots.push_back(shot);
+    }
+  }
+  if (shots.empty()) throw ogive::SetupError(file.string() + ": has no shots for " + campaign.name);
+  return shots;
+}
+
+int run_campaign(const Campaign &campaign, int argc, const char *const *argv) {
+  const auto fail = [&](const std::exception &error, int status) {
+    std::fprintf(stderr, "%s: error: %s\n", campaign.name.c_str(), error.what());
+    return status;
+  };
+  try {
+    const auto options = parse(campaign, argc, argv);
+    return options ? run(campaign, *options) : success;
+  } catch (const ogive::SetupError &error) {
+    return fail(error, bad_input);
+  } catch (const ogive::WriteError &error) {
+    return fail(error, shots_failed);
+  } catch (const std::exception &error) {
+    return fail(error, failure);
+  }
+}
+
+} // namespace figures

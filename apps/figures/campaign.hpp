@@ -1,0 +1,63 @@
+#pragma once
+
+#include "limits.hpp"
+#include "run_shots.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// \file
+/// The one program behind the figures of the paper: which shots, how to run them, what to draw.
+
+namespace figures {
+
+/// What a user can choose.
+struct Options {
+  std::optional<int> figure;  ///< this one alone
+  bool quick = false;         ///< coarse: particles 1.5 mm apart
+  std::string model = "both"; ///< mjc, jc or both
+  double spacing_mm = 0.6;
+  int jobs = 1;  ///< shots at a time
+  int shard = 1; ///< this part of `shards`
+  int shards = 1;
+  bool run = true;    ///< run what is missing
+  bool limits = true; ///< bisection of the ballistic limits
+  std::filesystem::path out = "vtk_out/figures";
+  std::filesystem::path perforate; ///< the program; next to this one unless given
+};
+
+/// A figure that plots curves: residual against initial velocity, or limit against thickness.
+struct Plot {
+  enum Kind { residual_velocity, ballistic_limit };
+  int figure = 0;
+  Kind kind = residual_velocity;
+  std::string title;
+};
+
+/// One of the programs.
+struct Campaign {
+  std::string name;         ///< as in the column `app` of figure_shots.csv
+  std::string purpose;      ///< one line for --help
+  std::vector<int> figures; ///< all that --figure may name
+  std::vector<Plot> plots;
+};
+
+/// A shot of the list that belongs to this campaign.
+struct ListedShot {
+  int figure = 0;
+  bool picture = false; ///< not a point of a curve
+  Task task;
+};
+
+/// The shots of figure_shots.csv that the options choose, in the order of the file, the modified law first; a shot that
+/// several figures need stands there once for each. Throws SetupError.
+std::vector<ListedShot> listed_shots(const Campaign &campaign, const Options &options,
+                                     const std::filesystem::path &data);
+
+/// Runs, resumes and draws; the program's main. Returns its exit status: 0, 1 failure, 2 wrong input, 3 a shot or file
+/// failed.
+int run_campaign(const Campaign &campaign, int argc, const char *const *argv);
+
+} // namespace figures

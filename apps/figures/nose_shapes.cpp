@@ -1,0 +1,12 @@
+#include "campaign.hpp"
+
+/// Fig. 11: blunt, conical and ogival projectiles on 12 mm Weldox 460 E.
+int main(int argc, char **argv) {
+  using figures::Plot;
+  const figures::Campaign campaign{
+      .name = "nose_shapes",
+      .purpose = "blunt, conical and ogival projectiles on 12 mm Weldox 460 E, Fig. 11 of Liu et al. 2012",
+      .figures = {11},
+      .plots = {{11, Plot::residual_velocity, "Fig. 11: residual velocity, three noses on 12 mm Weldox 460 E"}}};
+  return figures::run_campaign(campaign, argc, argv);
+}
