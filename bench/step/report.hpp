@@ -26,7 +26,8 @@ struct Nearness {
   double of_triad = 0;     ///< bytes over the triad's
 };
 
-Nearness nearness(const PairArithmetic &arithmetic, const Work &work, double bytes, double seconds,
+/// Of a loop that computes `entries` of the lists with all lanes, touches `bytes` and takes `seconds`.
+Nearness nearness(const PairArithmetic &arithmetic, std::int64_t entries, double bytes, double seconds,
                   const Limits &limits);
 
 /// "arithmetic" or "memory", if more than half of the time would be needed for it alone; else "neither".

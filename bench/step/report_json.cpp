@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using ogive::Phase;
 
-Json of_nearness(const PairArithmetic &arithmetic, const Work &work, double bytes, double seconds,
+Json of_nearness(const PairArithmetic &arithmetic, std::int64_t entries, double bytes, double seconds,
                  const Limits &limits) {
-  const Nearness n = nearness(arithmetic, work, bytes, seconds, limits);
+  const Nearness n = nearness(arithmetic, entries, bytes, seconds, limits);
   return {{"flop_per_lane_pair", arithmetic.flops},
           {"instructions_per_lane_pair", arithmetic.instructions},
           {"flop_per_s", n.flops},
@@ -46,13 +46,13 @@ Json of_timing(const Timing &t, const ShotResult &shot, const Limits &limits) {
           {"phases_s", phases},
           {"gradient_ns_per_pair", per(Phase::gradient, w.pairs)},
           {"force_ns_per_pair", per(Phase::force, w.pairs)},
-          {"gradient_ns_per_lane_pair", per(Phase::gradient, w.lane_pairs)},
-          {"force_ns_per_lane_pair", per(Phase::force, w.lane_pairs)},
+          {"gradient_ns_per_lane_pair", per(Phase::gradient, w.listed * ogive::lanes<double>)},
+          {"force_ns_per_lane_pair", per(Phase::force, w.within * ogive::lanes<double>)},
           {"hexes_ns_per_element", per(Phase::hexes, shot.hexes)},
           {"contact_ns_per_slave", per(Phase::contact, shot.slaves)},
           {"rebuild_s", t.rebuild},
-          {"gradient", of_nearness(gradient_arithmetic, w, w.gradient_bytes, t[Phase::gradient], limits)},
-          {"force", of_nearness(force_arithmetic, w, w.force_bytes, t[Phase::force], limits)},
+          {"gradient", of_nearness(gradient_arithmetic, w.listed, w.gradient_bytes, t[Phase::gradient], limits)},
+          {"force", of_nearness(force_arithmetic, w.within, w.force_bytes, t[Phase::force], limits)},
           {"stress_byte_per_s", w.stress_bytes / t[Phase::stress]},
           {"state_hash", hash}};
 }
@@ -69,9 +69,9 @@ Json of_shot(const ShotResult &shot, const std::vector<Limits> &limits) {
           {"slaves", shot.slaves},
           {"flowing", w.flowing},
           {"pairs", w.pairs},
-          {"lane_pairs", w.lane_pairs},
           {"clusters", w.clusters},
           {"listed", w.listed},
+          {"within", w.within},
           {"start_time_s", shot.start_time},
           {"start_step", shot.start_step},
           {"steps", shot.steps},

@@ -98,9 +98,9 @@ std::string of_bounds(const Report &r) {
   for (const ShotResult &shot : r.shots)
     for (std::size_t k = 0; k < shot.timings.size(); ++k) {
       const Timing &t = shot.timings[k];
-      const auto row = [&](Phase phase, const PairArithmetic *arithmetic, double bytes) {
+      const auto row = [&](Phase phase, const PairArithmetic *arithmetic, std::int64_t entries, double bytes) {
         const Nearness n =
-            nearness(arithmetic ? *arithmetic : PairArithmetic{0, 0}, shot.work, bytes, t[phase], r.limits[k]);
+            nearness(arithmetic ? *arithmetic : PairArithmetic{0, 0}, entries, bytes, t[phase], r.limits[k]);
         const auto if_counted = [&](const std::string &text) { return arithmetic ? text : "not counted"; };
         table.rows.push_back({std::to_string(shot.work.particles), std::to_string(t.threads),
                               std::string(ogive::name(phase)), if_counted(number(n.flops * 1e-9, 1)),
@@ -108,16 +108,16 @@ std::string of_bounds(const Report &r) {
                               number(bytes / static_cast<double>(shot.work.particles)), number(n.bytes * 1e-9, 1),
                               percent(n.of_triad), arithmetic || n.of_triad > 0.5 ? bound(n) : "not memory"});
       };
-      row(Phase::gradient, &gradient_arithmetic, shot.work.gradient_bytes);
-      row(Phase::force, &force_arithmetic, shot.work.force_bytes);
-      row(Phase::stress, nullptr, shot.work.stress_bytes);
+      row(Phase::gradient, &gradient_arithmetic, shot.work.listed, shot.work.gradient_bytes);
+      row(Phase::force, &force_arithmetic, shot.work.within, shot.work.force_bytes);
+      row(Phase::stress, nullptr, 0, shot.work.stress_bytes);
     }
   return "Against the limits of the machine with as many threads:\n\n" + text_of(table);
 }
 
 std::string of_work(const Report &r) {
-  Table table{{{"particles", "spacing, mm", "images", "hexes", "flowing, %", "neighbours", "list", "lanes used, %",
-                "first step", "at, us", "steps", "new lists"}}};
+  Table table{{{"particles", "spacing, mm", "images", "hexes", "flowing, %", "neighbours", "list", "within",
+                "gradient, %", "force, %", "first step", "at, us", "steps", "new lists"}}};
   for (const ShotResult &shot : r.shots) {
     const Work &w = shot.work;
     const auto particles = static_cast<double>(w.particles), pairs = static_cast<double>(w.pairs);
@@ -125,11 +125,13 @@ std::string of_work(const Report &r) {
         {std::to_string(w.particles), number(shot.spacing * 1e3, 3), std::to_string(w.images),
          std::to_string(shot.hexes), number(100 * static_cast<double>(w.flowing) / particles, 1),
          number(pairs / particles, 1), number(static_cast<double>(w.listed) / static_cast<double>(w.clusters), 1),
-         percent(pairs / static_cast<double>(w.lane_pairs)), std::to_string(shot.start_step),
+         number(static_cast<double>(w.within) / static_cast<double>(w.clusters), 1),
+         percent(pairs / lane_pairs(w.listed)), percent(pairs / lane_pairs(w.within)), std::to_string(shot.start_step),
          number(shot.start_time * 1e6, 2), std::to_string(shot.steps), std::to_string(shot.timings[0].rebuilds)});
   }
-  return "What was computed: neighbours of a particle within the support, entries in the list of a cluster, and how "
-         "many of the pairs that are computed lie within the support:\n\n" +
+  return "What was computed: neighbours of a particle within the support, entries in the list of a cluster and "
+         "those within the support of one of its particles, and how many of the pairs that the two loops compute "
+         "count:\n\n" +
          text_of(table);
 }
 
@@ -165,10 +167,10 @@ std::string of_states(const Report &r) {
 
 } // namespace
 
-Nearness nearness(const PairArithmetic &arithmetic, const Work &work, double bytes, double seconds,
+Nearness nearness(const PairArithmetic &arithmetic, std::int64_t entries, double bytes, double seconds,
                   const Limits &limits) {
   Nearness n;
-  const double lane_pairs = static_cast<double>(work.lane_pairs);
+  const double lane_pairs = bench::lane_pairs(entries);
   n.flops = arithmetic.flops * lane_pairs / seconds;
   n.of_peak = n.flops / limits.arithmetic;
   n.instructions = 2 * arithmetic.instructions * lane_pairs / seconds / limits.arithmetic;

@@ -3,6 +3,7 @@
 #include "ogive/core/parallel.hpp"
 #include "ogive/sph/gradient.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -25,8 +26,9 @@ struct PairArithmetic {
 //   u^2 = max(r^2/h^2, 1e-12) 2/2, 1/u: estimate and Newton's step 7/5, u 1/1,
 //   (dw/du)/u: far 3/2, near 3/2, difference of squares 3/2, times 1/u 1/1                            20/15
 //
-// gradient_sums: those and weight 2/2, V_j grad W 3/3, v_ij 3/3, nine sums 18/9, six moments 12/6.
-inline constexpr PairArithmetic gradient_arithmetic{66, 44};
+// gradient_sums: those and weight 2/2, V_j grad W 3/3, v_ij 3/3, nine sums 18/9, six moments 12/6, comparison with the
+// support 1/1.
+inline constexpr PairArithmetic gradient_arithmetic{67, 45};
 
 // pair_forces: those and weight 1/1, v_ij . x_ij 8/6, mu: minimum, r^2 + 0.01 h^2, reciprocal 5/3, two products 9/7,
 // q 5/4, weights 2/2, three sums of both terms 27/15 (the product of stress and x_ij, times w, less q V w x_ij), three
@@ -38,14 +40,17 @@ struct Work {
   std::int64_t particles = 0;
   std::int64_t images = 0; ///< mirror images of particles
   std::int64_t clusters = 0;
-  std::int64_t listed = 0;     ///< entries of all lists
-  std::int64_t lane_pairs = 0; ///< that are computed: entries times lanes
-  std::int64_t pairs = 0;      ///< neighbours within the support, of all particles; a pair counts at both
-  std::int64_t flowing = 0;    ///< particles that flowed plastically in the last step
-  double gradient_bytes = 0;   ///< touched by velocity_gradient()
-  double force_bytes = 0;      ///< touched by add_internal_force()
-  double stress_bytes = 0;     ///< touched by update_stress()
+  std::int64_t listed = 0;   ///< entries of all lists
+  std::int64_t within = 0;   ///< of them with a particle of the cluster within the support: those of the force loop
+  std::int64_t pairs = 0;    ///< neighbours within the support, of all particles; a pair counts at both
+  std::int64_t flowing = 0;  ///< particles that flowed plastically in the last step
+  double gradient_bytes = 0; ///< touched by velocity_gradient()
+  double force_bytes = 0;    ///< touched by add_internal_force()
+  double stress_bytes = 0;   ///< touched by update_stress()
 };
+
+/// Particles of clusters with the places of their lists that a loop computes.
+inline double lane_pairs(std::int64_t entries) { return static_cast<double>(entries * ogive::lanes<double>); }
 
 /// Directed pairs of different particles within the support, images included, with the nodes where they are.
 template <class Body, class T> std::int64_t count_pairs(const Body &body, const ogive::Nodes<T> &nodes) {
@@ -77,7 +82,7 @@ template <class Body, class T> Work count_work(const Body &body, const ogive::No
   w.images = static_cast<std::int64_t>(n.images.size());
   w.clusters = ogive::clusters(n);
   w.listed = static_cast<std::int64_t>(n.list.size());
-  w.lane_pairs = w.listed * ogive::lanes<T>;
+  for (const std::uint64_t word : n.within) w.within += std::popcount(word);
   w.pairs = count_pairs(body, nodes);
   for (const T rate : body.points.plastic_strain_rate) w.flowing += rate > T(0);
 
