@@ -19,7 +19,7 @@ write_basic_package_version_file(ogive-config-version.cmake COMPATIBILITY SameMi
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ogive-config.cmake" "${CMAKE_CURRENT_BINARY_DIR}/ogive-config-version.cmake"
         DESTINATION "${package_dir}")
 
-foreach(program IN ITEMS perforate calibrate)
+foreach(program IN ITEMS perforate calibrate section)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   endif()

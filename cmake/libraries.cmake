@@ -19,9 +19,9 @@ find_package(VTK 9 QUIET COMPONENTS ${ogive_vtk_components} OPTIONAL_COMPONENTS 
 # Headers say by their name which target they belong to.
 file(GLOB_RECURSE all_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/ogive/*.hpp")
 set(core_headers ${all_headers})
-list(FILTER core_headers EXCLUDE REGEX "/io/(vtk|section_)")
+list(FILTER core_headers EXCLUDE REGEX "/io/(vtk|read_frame|section_)")
 set(vtk_headers ${all_headers})
-list(FILTER vtk_headers INCLUDE REGEX "/io/vtk")
+list(FILTER vtk_headers INCLUDE REGEX "/io/(vtk|read_frame)")
 set(vtk_render_headers ${all_headers})
 list(FILTER vtk_render_headers INCLUDE REGEX "/io/section_")
 

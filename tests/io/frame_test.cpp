@@ -44,7 +44,7 @@ auto particles_and_hex() {
   projectile.hexes = {{2, 3, 4, 5, 6, 7, 8, 9}};
   fill(projectile.points, 8, stressed_point());
   for (Index i = 4; i < 8; ++i) store(projectile.points, i, MaterialPoint<double>{});
-  Model model{std::move(nodes), std::tuple{std::move(plate), std::move(projectile)}, SymmetryPlanes{}};
+  Model model{std::move(nodes), std::tuple{std::move(plate), std::move(projectile)}, SymmetryPlanes{false, true}};
   model.time = 42e-6;
   return model;
 }
@@ -58,6 +58,8 @@ std::vector<float> values(const std::vector<Field> &fields, const char *name) {
 TEST_CASE("a frame has the bodies of the model in their order") {
   const Frame frame = gather_frame(particles_and_hex());
   CHECK(frame.time == 42e-6);
+  CHECK(!frame.symmetry.x);
+  CHECK(frame.symmetry.y);
   REQUIRE(frame.clouds.size() == 1);
   REQUIRE(frame.grids.size() == 1);
   CHECK(frame.clouds[0].name == "plate");

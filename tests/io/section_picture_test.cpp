@@ -1,42 +1,23 @@
 #include "ogive/io/section_picture.hpp"
 
+#include "io/png_pixels.hpp"
 #include "io/sample_frame.hpp"
 #include "io/temporary_folder.hpp"
 
 #include "catch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <vtkImageData.h>
-#include <vtkPNGReader.h>
 
 using namespace ogive;
 
 namespace {
 
-using Colour = std::array<int, 3>;
-
-vtkSmartPointer<vtkImageData> read_png(const std::filesystem::path &path) {
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
 /// The colour at a place of the section (mm) in a picture 800 x 600 with a half height of 30 mm around z = -8 mm.
-Colour colour_at(vtkImageData *image, double x_mm, double z_mm) {
+PixelColour colour_at(vtkImageData *image, double x_mm, double z_mm) {
   const double pixels_per_mm = 600 * 0.93 / 60;
-  const int column = static_cast<int>(800 * 0.87 / 2 + pixels_per_mm * x_mm);
-  const int row = static_cast<int>(600 * 0.93 / 2 + pixels_per_mm * (z_mm + 8));
-  Colour colour{};
-  for (int k = 0; k < 3; ++k)
-    colour[static_cast<std::size_t>(k)] = static_cast<int>(image->GetScalarComponentAsDouble(column, row, 0, k));
-  return colour;
+  return pixel(image, 800 * 0.87 / 2 + pixels_per_mm * x_mm, 600 * 0.93 / 2 + pixels_per_mm * (z_mm + 8));
 }
-
-bool reddish(const Colour &c) { return c[0] > 2 * c[2] + 10; }
-bool white(const Colour &c) { return c == Colour{255, 255, 255}; }
 
 SectionPicture small_picture() {
   SectionPicture picture;
@@ -112,7 +93,7 @@ TEST_CASE("the section of a quarter model shows both halves, the plug's shear ba
   render_section(sample::perforated_plate(), {true, true}, path, small_picture());
   const auto image = read_png(path);
   check_section(image);
-  const Colour projectile = colour_at(image, 4, 5), plate = colour_at(image, 30, -6);
+  const PixelColour projectile = colour_at(image, 4, 5), plate = colour_at(image, 30, -6);
   CHECK(projectile[1] + 40 < plate[1]);
   CHECK(count_files(folder.path) == 1);
 }

@@ -2,6 +2,7 @@
 
 #include "ogive/core/error.hpp"
 #include "ogive/core/nodes.hpp"
+#include "ogive/core/symmetry.hpp"
 #include "ogive/core/types.hpp"
 #include "ogive/material/points.hpp"
 
@@ -48,6 +49,7 @@ struct Frame {
   double time = 0; ///< s
   std::vector<PointCloud> clouds;
   std::vector<HexGrid> grids;
+  SymmetryPlanes symmetry{}; ///< the bodies are the part that is computed, where the planes' coordinates are positive
 };
 
 /// The field `name` of the part `part`. Throws SetupError if there is none.
@@ -162,6 +164,7 @@ template <class T, class Body> HexGrid gather_grid(const Nodes<T> &nodes, const 
 template <class M> Frame gather_frame(const M &model) {
   Frame frame;
   frame.time = static_cast<double>(model.time);
+  frame.symmetry = model.symmetry;
   int part = 0;
   // Found with the model, in sim/model.hpp: pictures of frames alone do not compile contact and ties.
   for_each_body(model, [&](const auto &body) {

@@ -9,16 +9,19 @@
 #include <string>
 #include <vector>
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataSetMapper.h>
 #include <vtkDataSetSurfaceFilter.h>
+#include <vtkLight.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkReflectionFilter.h>
+#include <vtkRenderer.h>
 #include <vtkTableBasedClipDataSet.h>
 
 /// \file
@@ -33,6 +36,9 @@ struct SectionStyle {
   double largest = 1.5;                              ///< value of the last colour
   std::vector<std::string> grey_parts{"projectile"}; ///< drawn in one grey instead
   bool mesh_edges = true;                            ///< thin lines between hexes
+  /// Radius of the spheres in particle distances; at half a lattice's diagonal, 0.7, neighbours close the face.
+  double particle_radius = 0.7;
+  double particle_ambient = 0.5; ///< light on spheres that does not shade them, 0 to 1
 };
 
 /// The colours: light grey for the metal as it was, through yellow and red to almost black.
@@ -94,14 +100,13 @@ inline vtkSmartPointer<vtkActor> section_actor(const PointCloud &cloud, Symmetry
   points->GetPointData()->SetScalars(values);
   vtkNew<vtkOpenGLSphereMapper> mapper;
   mapper->SetInputData(points);
-  // Half a lattice's diagonal: neighbours close the face.
-  mapper->SetRadius(0.7F * 1e3F * cloud.diameter);
+  mapper->SetRadius(static_cast<float>(style.particle_radius) * 1e3F * cloud.diameter);
   mapper->SetLookupTable(colours);
   mapper->UseLookupTableScalarRangeOn();
   mapper->SetScalarVisibility(!grey);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  set_matt(actor->GetProperty(), 0.5);
+  set_matt(actor->GetProperty(), style.particle_ambient);
   return actor;
 }
 
@@ -144,6 +149,47 @@ inline vtkSmartPointer<vtkActor> section_actor(const HexGrid &hexes, SymmetryPla
   actor->GetProperty()->SetEdgeColor(0.36, 0.39, 0.43);
   actor->GetProperty()->SetLineWidth(1);
   return actor;
+}
+
+/// An empty scene: white, with one light that moves with the camera.
+inline vtkSmartPointer<vtkRenderer> white_scene() {
+  auto scene = vtkSmartPointer<vtkRenderer>::New();
+  scene->SetBackground(1, 1, 1);
+  scene->AutomaticLightCreationOff();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(-0.5, 0.7, 1.0);
+  scene->AddLight(light);
+  return scene;
+}
+
+/// What a section shows of the plane y = 0, seen along y with z upwards.
+struct SectionView {
+  double centre_x_mm = 0;     ///< in the middle of the view
+  double centre_z_mm = -8;    ///< in the middle of the view; the plate's front face is z = 0
+  double half_height_mm = 30; ///< half of what is seen from bottom to top
+};
+
+/// Points a scene's camera at a section.
+inline void aim(vtkRenderer *scene, const SectionView &view) {
+  vtkCamera *camera = scene->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(view.half_height_mm);
+  camera->SetFocalPoint(view.centre_x_mm, 0, view.centre_z_mm);
+  camera->SetPosition(view.centre_x_mm, -1000, view.centre_z_mm);
+  camera->SetViewUp(0, 0, 1);
+  scene->ResetCameraClippingRange();
+}
+
+/// The section of a frame as a scene. The computed part of a model lies where the coordinates of its symmetry planes
+/// are positive. Throws SetupError if a part lacks the field asked for.
+inline vtkSmartPointer<vtkRenderer> section_scene(const Frame &frame, SymmetryPlanes planes, const SectionStyle &style,
+                                                  vtkColorTransferFunction *colours, const SectionView &view) {
+  auto scene = white_scene();
+  for (const auto &cloud : frame.clouds) scene->AddActor(section_actor(cloud, planes, style, colours));
+  for (const auto &grid : frame.grids) scene->AddActor(section_actor(grid, planes, style, colours));
+  aim(scene, view);
+  return scene;
 }
 
 } // namespace ogive

@@ -126,7 +126,9 @@ inline void add_frame(VtkSeries &series, const Frame &frame) {
     require(plain_file_name(part.name) && names.insert(part.name).second, "name of a part of " + series.name, part.name,
             "must be used once and be made of letters, digits, '-', '_' and '.'");
     const std::string file = "frames/" + series.name + "_" + part.name + "_" + number + ".vtu";
-    write_vtu(series.folder / file, part);
+    const auto grid = to_vtk(part);
+    add_symmetry(grid, frame.symmetry);
+    write_vtu(series.folder / file, grid);
     next.entries.push_back({frame.time, part.part, part.name, file});
   };
   for (const auto &cloud : frame.clouds) add(cloud);

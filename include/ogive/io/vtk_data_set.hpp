@@ -70,7 +70,24 @@ inline void add_part_number(vtkDataSetAttributes *attributes, int part, std::siz
   attributes->AddArray(parts);
 }
 
-/// A cloud as one vertex for each particle; the field data hold "particle_diameter_mm".
+/// Name of the field data that say which mirror planes a part ends at: 1 or 0 for x = 0, then for y = 0.
+inline constexpr char symmetry_array[] = "symmetry_planes";
+
+/// Adds the mirror planes, without which a part on its own does not tell a quarter from the whole.
+inline void add_symmetry(vtkUnstructuredGrid *grid, SymmetryPlanes planes) {
+  vtkNew<vtkIntArray> array;
+  array->SetName(symmetry_array);
+  array->SetNumberOfComponents(2);
+  array->SetComponentName(0, "X");
+  array->SetComponentName(1, "Y");
+  array->InsertNextTuple2(planes.x, planes.y);
+  grid->GetFieldData()->AddArray(array);
+}
+
+/// Name of the field data that hold the particle distance.
+inline constexpr char diameter_array[] = "particle_diameter_mm";
+
+/// A cloud as one vertex for each particle; the field data hold the particle distance.
 inline vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const PointCloud &cloud) {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   const auto count = static_cast<vtkIdType>(cloud.positions.size());
@@ -80,7 +97,7 @@ inline vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const PointCloud &cloud) {
   add_fields(grid->GetPointData(), cloud.fields, cloud.name, cloud.positions.size());
   add_part_number(grid->GetPointData(), cloud.part, cloud.positions.size());
   vtkNew<vtkFloatArray> diameter;
-  diameter->SetName("particle_diameter_mm");
+  diameter->SetName(diameter_array);
   diameter->InsertNextValue(1e3F * cloud.diameter);
   grid->GetFieldData()->AddArray(diameter);
   return grid;
