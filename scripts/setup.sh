@@ -11,6 +11,7 @@ ninja        ninja-build
 xvfb-run     xvfb
 xauth        xauth
 gnuplot      gnuplot-nox
+python3      python3
 -            libeigen3-dev
 -            catch2
 -            libcli11-dev

@@ -1,0 +1,278 @@
+"""scripts/accept.py and scripts/results_page.py with a small folder of made-up results."""
+
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+
+from accept import Bound, Result, status_of_figure  # noqa: E402
+from html_text import from_markdown  # noqa: E402
+from ogive_results import read_shots, short  # noqa: E402
+
+SHOT_HEADER = ("method,model,material,nose,thickness_mm,initial_velocity_mps,spacing_mm,residual_velocity_mps,"
+               "perforated,plug_thickness_mm,energy_error,largest_intrusion_mm,particles,steps,wall_s,threads,"
+               "state_hash,version")
+SHOTS = [
+    "sfm,mjc,weldox_460e,blunt,12,180,0.6,0,0,0,0.0001,0,25820,900,20.5,1,aa,0.1.0",
+    "sfm,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820,800,19.5,2,ab,0.1.0",
+    "sfm,mjc,weldox_460e,blunt,12,303.5,0.6,190,1,11.5,0.007,0,25820,700,10,1,ac,0.1.0",
+]
+LIMITS = """\
+method,model,material,nose,thickness_mm,spacing_mm,highest_stopped_mps,lowest_perforated_mps,bisection_limit_mps,\
+consistent,fit_limit_mps,fit_limit_se_mps,fit_a,fit_a_se,fit_a_origin,fit_p,fit_p_se,fit_p_origin,fit_points,\
+fit_rms_mps,test_limit_mps,paper_velocity_mps
+sfm,mjc,weldox_460e,blunt,12,0.6,180,184,182,1,182.5,,0.84,,held,2,,held,2,1.5,184.5,195
+"""
+CHECKS = """\
+[defaults]
+method = "sfm"
+model = "mjc"
+spacing_mm = 0.6
+widest_bracket_mps = 5
+
+[[check]]
+id = "good"
+figure = [6, 9]
+statement = "The limit is near"
+kind = "limit_against_test"
+metal = "Weldox 460 E"
+nose = "blunt"
+thickness_mm = 12
+within_percent = 6
+
+[[check]]
+id = "bad"
+figure = 0
+statement = "Energy balances"
+kind = "every_row"
+quantity = "energy_error"
+below_percent = 0.5
+
+[[check]]
+id = "gone"
+figure = 9
+statement = "The thin plate's limit is near"
+kind = "limit_against_test"
+metal = "Weldox 460 E"
+nose = "blunt"
+thickness_mm = 6
+within_percent = 6
+"""
+
+
+def run(script, *arguments):
+    return subprocess.run([sys.executable, SCRIPTS / script, *map(str, arguments)], capture_output=True, text=True,
+                          check=False)
+
+
+class Folders(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name) / "campaign"
+        self.folder.mkdir()
+        (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, *SHOTS, ""]))
+        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS)
+        self.checks = self.folder / "checks.toml"
+        self.checks.write_text(CHECKS)
+
+    def accept(self, *arguments):
+        return run("accept.py", self.folder, "--checks", self.checks, *arguments)
+
+    def require_refused(self, done, *texts):
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertRegex(done.stderr, r"^\w+: error: [^\n]*\n$")
+        for text in texts:
+            self.assertIn(text, done.stderr)
+
+
+class Accept(Folders):
+    def test_one_passes_one_fails_one_is_missing(self):
+        done = self.accept()
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.stdout.splitlines(), [
+            "pass    good: The limit is near: -1.36 % (182 m/s, test 184.5 m/s) against within 6 %",
+            "FAIL    bad: Energy balances: 0.7 % (mjc, blunt, 12 mm, 303.5 m/s) against below 0.5 %",
+            "missing gone: The thin plate's limit is near: no limit to 2.5 m/s by bisection, blunt, 6 mm against "
+            "within 6 %",
+            "1 passed, 2 failed"])
+
+    def test_all_pass(self):
+        self.checks.write_text(CHECKS[:CHECKS.index('[[check]]\nid = "bad"')])
+        done = self.accept()
+        self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, "1 passed, 0 failed"))
+
+    def test_other_particle_distance_has_no_data(self):
+        self.assertIn("missing good", self.accept("--spacing-mm", 1.5).stdout)
+
+    def test_wide_bracket_is_no_limit(self):
+        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS.replace(",180,184,182,", ",170,184,177,"))
+        self.assertIn("missing good", self.accept().stdout)
+
+    def test_shot_values(self):
+        def outcome(text):
+            check = ('[[check]]\nid = "x"\nfigure = 1\nstatement = "It is"\nmetal = "Weldox 460 E"\nnose = "blunt"\n'
+                     "thickness_mm = 12\n")
+            self.checks.write_text(CHECKS[:CHECKS.index("[[check]]")] + check + text)
+            done = self.accept()
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+            return done.stdout.split()[0], re.search(r"It is: (\S+)", done.stdout)[1]
+
+        ratio = 'kind = "shot_value"\nquantity = "plug_thickness_mm"\nper = "thickness_mm"\n'
+        self.assertEqual(outcome(ratio + "above = 0.5\nbelow = 0.95"), ("pass", "0.917"))
+        self.assertEqual(outcome(ratio + "at_least = 0.92"), ("FAIL", "0.917"))
+        self.assertEqual(outcome(ratio + "velocity_mps = 303.5\nbelow = 0.95"), ("FAIL", "0.958"))
+        self.assertEqual(outcome('kind = "shot_value"\nquantity = "plug_thickness_mm"\nless = 10\nat_least_mm = 1'),
+                         ("pass", "1"))
+        self.assertEqual(outcome('kind = "residuals_against_tests"\nfrom_velocity_mps = 300\nwithin_mps = 12')[0],
+                         "missing")
+        self.assertEqual(outcome('kind = "particle_count"\ndisc_radius_mm = 24\nwithin_percent = 3'), ("pass", "+2.73"))
+        self.assertEqual(outcome('kind = "perforating_velocities"\nup_to_velocity_mps = 406\nat_least = 6')[0],
+                         "missing")
+
+    def test_wrong_input(self):
+        self.require_refused(self.accept("--no-such-option"), "--no-such-option")
+        self.require_refused(run("accept.py", self.folder / "none"), "holds no shots*.csv")
+        for old, new, text in (
+                ('kind = "every_row"', 'kind = "some"', "check bad: kind = 'some': must be one of"),
+                ("below_percent", "below_apples", "check bad: kind"),
+                ("below_percent", "beneath", "check bad: beneath = 0.5: is unknown"),
+                ("below_percent = 0.5", "", "check bad: bounds: must be"),
+                ('quantity = "energy_error"', 'quantity = "mood"', "must be a column"),
+                ('id = "bad"', 'id = "good"', "id = good: must be the id of one check only"),
+                ("within_percent = 6", 'within_percent = "6"', "must be a number"),
+                ("figure = 0", 'figure = "six"', "check bad: figure = 'six'")):
+            self.checks.write_text(CHECKS.replace(old, new))
+            self.require_refused(self.accept(), text)
+        self.checks.write_text(CHECKS)
+        (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, SHOTS[0].replace("180", "fast"), ""]))
+        self.require_refused(self.accept(), "shots.csv:2: initial_velocity_mps = 'fast': must be a finite number")
+
+    def test_the_project_s_own_checks_are_well_formed(self):
+        done = run("accept.py", self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stdout.splitlines()[-1], r"^\d+ passed, \d+ failed$")
+
+
+class Page(Folders):
+    def page(self, folder, out):
+        done = run("results_page.py", folder, out, "--checks", self.checks)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def test_tables_and_page(self):
+        out = self.folder / "page"
+        (self.folder / "figure_6.svg").write_text("<svg/>")
+        self.page(self.folder, out)
+        text = (out / "index.html").read_text()
+        self.assertIn('<span class="status good">reproduced</span>', text)
+        self.assertIn('<img src="figure_6.svg"', text)
+        self.assertIn("1 passed, 2 failed", text)
+        self.assertNotRegex(text, r'(src|href)="(http:|//|/)')
+        self.assertNotIn("<script", text)
+        rows = (out / "results" / "shots.csv").read_text().splitlines()
+        self.assertEqual(rows[0].split(",")[-1], "particles")
+        self.assertEqual(rows[2], "sfm,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820")
+        self.assertIn("wall_s", (out / "run_record.csv").read_text())
+        (self.folder / "figure_6.svg").unlink()
+        self.page(self.folder, out)
+        self.assertFalse((out / "figure_6.svg").exists())
+
+    def test_order_parts_and_times_leave_no_trace_in_the_tables(self):
+        self.page(self.folder, self.folder / "page")
+        other = self.folder.parent / "other"
+        other.mkdir()
+        (other / "nose_shapes_limits.csv").write_text(LIMITS)
+        (other / "steel_blunt_limits.csv").write_text(LIMITS)
+        (other / "shots.1-of-2.csv").write_text("\n".join(
+            [SHOT_HEADER, SHOTS[2].replace(",10,1,", ",77,2,"), SHOTS[0], "sfm,mjc,weldox_460e,bl"]))
+        (other / "shots.2-of-2.csv").write_text("\n".join([SHOT_HEADER, SHOTS[1], SHOTS[0], ""]))
+        self.page(other, other / "page")
+        for name in ("shots.csv", "limits.csv", "projectiles.csv", "fits.csv"):
+            self.assertEqual((self.folder / "page" / "results" / name).read_bytes(),
+                             (other / "page" / "results" / name).read_bytes(), name)
+        # A page's own tables are results, too.
+        again = run("accept.py", other / "page" / "results", "--checks", self.checks)
+        self.assertEqual(again.stdout, self.accept().stdout)
+
+    def test_masses_come_from_the_summaries(self):
+        for name in ("mjc_weldox_460e_blunt_12mm_184mps_0.6mm", "mjc_weldox_460e_blunt_12mm_303.5mps_0.6mm"):
+            (self.folder / "shots" / name).mkdir(parents=True)
+            (self.folder / "shots" / name / "summary.json").write_text(
+                '{"nose": "blunt", "spacing_mm": 0.59, "projectile_mass_g": 197.25, "added_mass_g": -1e-14, '
+                '"fault": null}')
+        (self.folder / "shots" / name / "summary.json").write_text('{"nose": "bl')  # being written
+        self.page(self.folder, self.folder / "page")
+        self.assertEqual((self.folder / "page" / "results" / "projectiles.csv").read_text(),
+                         "nose,spacing_mm,projectile_mass_g,added_mass_g\nblunt,0.6,197.250000,0.000000\n")
+
+    def test_older_limits_are_told(self):
+        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS.replace(",180,184,182,", ",179,184,181.5,"))
+        self.assertIn("the limit is older than the shots", self.page(self.folder, self.folder / "page").stderr)
+
+    def test_wrong_input(self):
+        self.require_refused(run("results_page.py", self.folder, self.folder),
+                             "must not be the folder with the results")
+        self.require_refused(run("results_page.py", self.folder / "none", self.folder / "page"), "holds no shots*.csv")
+        self.assertFalse((self.folder / "page").exists())
+
+
+class Parts(unittest.TestCase):
+    def test_bounds(self):
+        for relation, limit, measured, holds in (
+                ("within", 6, -6, True), ("within", 6, 6.1, False), ("at_least", -24, -23, True),
+                ("at_least", -24, -25, False), ("at_least", 2, 3, True), ("at_least", 2, -1, False),
+                ("at_most", 5, 5, True), ("below", 5, 5, False), ("above", 0, 0, False), ("above", 0, 1, True)):
+            bound = Bound(relation, limit, "mm")
+            self.assertEqual(bound.holds(measured), holds, (relation, limit, measured))
+            self.assertEqual(bound.share(measured) <= 1, holds, (relation, limit, measured))
+
+    def test_status_of_a_figure(self):
+        def results(*outcomes):
+            return [Result(str(k), [1], "", picture, status, "", "", share)
+                    for k, (status, share, picture) in enumerate(outcomes)]
+
+        good, bad, worse = ("pass", 0.5, False), ("FAIL", 1.5, False), ("FAIL", 3, False)
+        gone, drawn, undrawn = ("missing", 9, False), ("pass", 0, True), ("missing", 9, True)
+        for outcomes, word, decides in (((good, drawn), "reproduced", "0"), ((good, bad, worse), "partly", "2"),
+                                        ((good, gone), "partly", "0"), ((bad, gone, drawn), "not", "0"),
+                                        ((gone, drawn), "not run yet", None), ((good, undrawn), "partly", "0"),
+                                        ((), "not run yet", None)):
+            found, decided = status_of_figure(results(*outcomes))
+            self.assertEqual((found, decided and decided.id), (word, decides), outcomes)
+
+    def test_numbers_for_readers(self):
+        self.assertEqual([short(v) for v in (0.0117370, 182.53, 25820, 1e-12, None, -1.5)],
+                         ["0.01174", "182.5", "25820", "1e-12", "–", "-1.5"])
+
+    def test_markdown(self):
+        text = from_markdown("# Title\n\nA `b|c` and [link](x.md).\n\n| a | b |\n|---|---|\n| 1 \\| 2 | **3** |\n",
+                             "../")
+        self.assertNotIn("Title", text)
+        self.assertIn('<p>A <code>b|c</code> and <a href="../x.md">link</a>.</p>', text)
+        self.assertIn("<td>1 | 2</td><td><strong>3</strong></td>", text)
+        self.assertNotIn("href", from_markdown("[link](x.md)"))
+
+    def test_rows_without_end_are_passed_over(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "shots.csv").write_text(SHOT_HEADER + "\n" + SHOTS[0] + "\n" + SHOTS[1])
+            self.assertEqual(len(read_shots(folder)), 1)
+
+    def test_figures_refuses_wrong_options(self):
+        for arguments, text in ((["--jobs", "0"], "--jobs = 0: must be a whole number from 1"),
+                                (["--fast"], "--fast: unknown option")):
+            done = subprocess.run([SCRIPTS / "figures.sh", *arguments], capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, r"^figures: error: [^\n]*\n$")
+            self.assertIn(text, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
