@@ -50,13 +50,14 @@ TEST_CASE("a quarter and half of a shot are the whole shot", "[sim]") {
     const Energy<double> p = energy(part);
     const double distance = largest_distance(part, part_start, whole, whole_start);
     // Blunt: the same sums in another order, and where a particle stands between two facets that are equally near to
-    // 1e-6, round-off chooses one. Conical: particles on the diagonals are balanced on the nose's
-    // edges, from where round-off tips them to either side; they are a few of hundreds.
+    // 1e-6, round-off chooses one; that grows to a fraction of a percent of the particle distance. Conical: particles
+    // on the diagonals are balanced on the nose's edges, from where round-off tips them to either side; they are a few
+    // of hundreds.
     const bool exact = nose == Nose::blunt;
-    CHECK(distance < (exact ? 1e-4 * c.spacing : c.spacing / 15));
-    CHECK(p.kinetic == Approx(e.kinetic).epsilon(exact ? 1e-8 : 1e-4));
-    CHECK(p.plastic == Approx(e.plastic).epsilon(exact ? 1e-7 : 5e-3));
-    CHECK(p.friction == Approx(e.friction).epsilon(exact ? 1e-6 : 2e-2));
-    CHECK(momentum(part)[2] == Approx(momentum(whole)[2]).epsilon(exact ? 1e-8 : 1e-4));
+    CHECK(distance < (exact ? c.spacing / 100 : c.spacing / 15));
+    CHECK(p.kinetic == Approx(e.kinetic).epsilon(exact ? 1e-6 : 1e-4));
+    CHECK(p.plastic == Approx(e.plastic).epsilon(exact ? 1e-5 : 5e-3));
+    CHECK(p.friction == Approx(e.friction).epsilon(exact ? 1e-4 : 2e-2));
+    CHECK(momentum(part)[2] == Approx(momentum(whole)[2]).epsilon(exact ? 1e-6 : 1e-4));
   }
 }

@@ -7,6 +7,7 @@
 #include "ogive/sph/neighbours.hpp"
 #include "ogive/sph/pair_data.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ template <class T> struct SphOptions {
   T quadratic_viscosity = T(1.5);  ///< Monaghan's beta
   bool variable_smoothing = false; ///< h follows the density: h = h0 (rho0/rho)^(1/3), at most 1.3 h0
   T skin_ratio = T(0.25);          ///< reach of the neighbour lists beyond the support, over the particle distance
+  T largest_strain = T(0.05);      ///< of a particle in a step
   T courant = T(0.5);              ///< time step = courant * particle distance / longitudinal sound speed
 };
 
@@ -109,15 +111,20 @@ template <class T, class Law, class K, class F> T kernel_volume(const SphBody<T,
   return body.point_mass[i] / (is_failed(damage, D) ? std::max(density, body.metal.density) : density);
 }
 
-/// Stable time step, s: courant * spacing / sound speed; a variable smoothing length shortens it with its smallest
-/// value.
+/// Stable time step, s: courant * spacing / sound speed, or what strains no particle by more than `largest_strain` if
+/// that is shorter; a variable smoothing length shortens the former with its smallest value.
 template <class T, class Law, class K, class F>
 T stable_time_step(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
   T shortest = T(1);
   if (body.options.variable_smoothing)
     shortest = parallel_min(body.points.size(), T(1),
                             [&](Index i) { return std::cbrt(body.metal.density / body.points.density[i]); });
-  return body.options.courant * shortest * body.spacing / sound_speed(body.metal);
+  // Debris that flies past each other at high speed would otherwise change its density by half in a step.
+  const T fastest = parallel_max(body.points.size(), T(0), [&](Index i) {
+    return is_removed(body, i) ? T(0) : full(symmetric_part(body.points.velocity_gradient[i])).squaredNorm();
+  });
+  const T of_waves = body.options.courant * shortest * body.spacing / sound_speed(body.metal);
+  return std::min(of_waves, body.options.largest_strain / std::sqrt(std::max(fastest, std::numeric_limits<T>::min())));
 }
 
 /// Work of the stresses since the start, J.
