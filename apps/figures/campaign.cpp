@@ -8,11 +8,15 @@
 #include "shared/experiment.hpp"
 #include "shared/out_folder.hpp"
 
+#include <omp.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <set>
-#include <thread>
 
 namespace figures {
 
@@ -26,7 +30,8 @@ enum ExitStatus { success = 0, failure = 1, bad_input = 2, shots_failed = 3 };
 
 constexpr input::Limits spacing_limits{0.05, 5, "mm"};
 
-int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+/// Those that this process may use: on a cluster, few of many.
+int cores() { return std::max(1, omp_get_num_procs()); }
 
 std::string figures_of(const Campaign &campaign) {
   std::string text;
@@ -61,7 +66,9 @@ std::string help(const Campaign &campaign) {
          item("spacing_mm NUMBER",
               "particle distance, " + text_of(spacing_limits, " to ") + " [0.6, as in the paper]") +
          item("jobs NUMBER", "shots at a time; they share the cores [as many as cores]") +
-         item("shard I/N", "run only the I-th of N parts, for several machines; draws nothing") +
+         item("shard I/N",
+              "run only the I-th of N parts, for several machines: the shots of a plate, nose and law stay "
+              "together; draws nothing") +
          item("no_run", "only draw what is known") + item("no_limits", "without bisection of the ballistic limits") +
          item("out FOLDER", "for rows, shots and pictures; programs and shards may share it [vtk_out/figures]") +
          item("perforate PROGRAM", "that runs a shot [the one beside this program]");
@@ -116,83 +123,78 @@ std::optional<Options> parse(const Campaign &campaign, int argc, const char *con
   if (o.quick && !seen.contains("spacing_mm")) o.spacing_mm = 1.5;
   if (o.quick && !seen.contains("out")) o.out = "vtk_out/figures_quick";
   if (o.perforate.empty()) o.perforate = fs::read_symlink("/proc/self/exe").parent_path() / "perforate";
-  if (o.run && !fs::exists(o.perforate)) refuse("--perforate", o.perforate.string(), "there is no such program");
+  std::error_code none;
+  if (o.run && (!fs::is_regular_file(o.perforate, none) || ::access(o.perforate.c_str(), X_OK) != 0))
+    refuse("--perforate", o.perforate.string(), "must be a program");
   return o;
 }
 
-/// Those of a list that belong to the shard.
-template <class T> std::vector<T> share_of(const std::vector<T> &all, const Options &o) {
-  std::vector<T> mine;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if (static_cast<int>(k % static_cast<std::size_t>(o.shards)) == o.shard - 1) mine.push_back(all[k]);
-  return mine;
+/// Adds what is not yet in a list.
+template <class T> void add_once(std::vector<T> &list, const T &value) {
+  if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
 }
 
-/// The tasks of a list, each once, with the most frequent frames that are asked for.
-std::vector<Task> tasks_of(const std::vector<ListedShot> &shots) {
-  std::vector<Task> tasks;
-  for (const ListedShot &shot : shots) {
-    const auto found =
-        std::find_if(tasks.begin(), tasks.end(), [&](const Task &task) { return task.key == shot.task.key; });
-    if (found == tasks.end())
-      tasks.push_back(shot.task);
-    else if (shot.task.frames_us > 0)
-      found->frames_us = found->frames_us > 0 ? std::min(found->frames_us, shot.task.frames_us) : shot.task.frames_us;
-  }
-  return tasks;
+/// Runs tasks and adds what came of them to `all`.
+void work(const Workshop &workshop, const std::vector<Task> &tasks, Outcome &all) {
+  const Outcome now = run_shots(workshop, tasks, [](const std::string &line) {
+    std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
+  });
+  all.run += now.run, all.known += now.known, all.stopped_by = now.stopped_by;
+  all.failed.insert(all.failed.end(), now.failed.begin(), now.failed.end());
 }
 
-/// The series that the curves of the list belong to, in its order.
-std::vector<SeriesKey> series_in(const std::vector<ListedShot> &shots) {
-  std::vector<SeriesKey> series;
-  for (const ListedShot &shot : shots) {
-    const SeriesKey key = series_of(shot.task.key);
-    if (!shot.picture && std::find(series.begin(), series.end(), key) == series.end()) series.push_back(key);
-  }
-  return series;
-}
-
-int run(const Campaign &campaign, const Options &o) {
-  const fs::path data = FIGURES_DATA_FOLDER;
-  const auto shots = listed_shots(campaign, o, data);
-  const auto series = series_in(shots);
+/// Runs what is missing, first the list and then round by round what bisection asks for.
+Outcome run_all(const Campaign &campaign, const Options &o, const std::vector<ListedShot> &shots) {
+  input::prepare_out(o.out, 64e6, "");
   const std::string part = o.shards > 1 ? "." + std::to_string(o.shard) + "-of-" + std::to_string(o.shards) : "";
   const Workshop workshop{o.out, o.out / ("shots" + part + ".csv"), fs::absolute(o.perforate), o.jobs,
                           std::max(1, cores() / o.jobs)};
   Outcome all;
-  const auto work = [&](const std::vector<Task> &tasks) {
-    const Outcome now = run_shots(workshop, tasks, [](const std::string &line) {
-      std::printf("%s\n", line.c_str());
-      std::fflush(stdout);
-    });
-    all.run += now.run, all.known += now.known;
-    all.failed.insert(all.failed.end(), now.failed.begin(), now.failed.end());
-    return now.run > 0 && now.failed.empty();
-  };
-  if (o.run) {
-    input::prepare_out(o.out, 64e6, "");
-    work(share_of(tasks_of(shots), o));
-    const auto mine = share_of(series, o);
-    while (o.limits) {
-      const auto round = next_round(mine, read_all_rows(o.out), data);
-      if (round.empty() || !work(round)) break;
-    }
-    std::printf("%d shots run, %d known before, %zu failed\n", all.run, all.known, all.failed.size());
-  }
-  if (o.shards == 1) {
+  work(workshop, tasks_of(shots), all);
+  for (auto series = series_in(shots); o.limits && all.stopped_by == 0;) {
+    const auto round = next_round(series, read_all_rows(o.out), FIGURES_DATA_FOLDER);
+    if (round.empty()) break;
+    work(workshop, round, all);
+    // A series whose shot failed has come to its end. In all others a row more is known: the rounds end.
     const auto rows = read_all_rows(o.out);
-    const auto limits = find_limits(series, rows, data);
-    for (const LimitRow &row : limits) std::printf("%s\n", described(row).c_str());
-    if (!limits.empty()) ogive::write_atomically(o.out / (campaign.name + "_limits.csv"), limits_csv(limits));
-    for (const Plot &plot : campaign.plots) {
-      if (o.figure && *o.figure != plot.figure) continue;
-      if (draw_plot(plot, series, rows, limits, data, o.out))
-        std::printf("figure %d: %s\n", plot.figure, (o.out / ("figure_" + std::to_string(plot.figure))).c_str());
-    }
+    for (const Task &task : round)
+      if (find_row(rows, task.key) == nullptr) std::erase(series, series_of(task.key));
   }
+  std::printf("%d shots run, %d known before, %zu failed\n", all.run, all.known, all.failed.size());
+  std::fflush(stdout);
   for (const std::string &line : all.failed)
     std::fprintf(stderr, "%s: failed: %s\n", campaign.name.c_str(), line.c_str());
-  return all.failed.empty() ? success : shots_failed;
+  return all;
+}
+
+/// Draws what is known.
+void draw(const Campaign &campaign, const Options &o, const std::vector<SeriesKey> &series) {
+  const fs::path data = FIGURES_DATA_FOLDER;
+  const auto rows = read_all_rows(o.out);
+  if (!o.run && rows.empty()) refuse("--out", o.out.string(), "must be a folder with shots*.csv where nothing is run");
+  const auto limits = find_limits(series, rows, data);
+  for (const LimitRow &row : limits) std::printf("%s\n", described(row).c_str());
+  if (!limits.empty()) ogive::write_atomically(o.out / (campaign.name + "_limits.csv"), limits_csv(limits));
+  for (const Plot &plot : campaign.plots) {
+    if (o.figure && *o.figure != plot.figure) continue;
+    if (draw_plot(plot, series, rows, limits, data, o.out))
+      std::printf("figure %d: %s\n", plot.figure, (o.out / ("figure_" + std::to_string(plot.figure))).c_str());
+  }
+}
+
+int run(const Campaign &campaign, const Options &o) {
+  const auto shots = share_of(listed_shots(campaign, o, FIGURES_DATA_FOLDER), o);
+  const Outcome outcome = o.run ? run_all(campaign, o, shots) : Outcome{};
+  if (const int signal = outcome.stopped_by; signal != 0) {
+    std::fprintf(stderr, "%s: stopped by signal %d (%s); the same command goes on with what is missing\n",
+                 campaign.name.c_str(), signal, ::strsignal(signal));
+    // Whoever started this, a shell or a script, is to see that it was the signal.
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+  if (o.shards == 1) draw(campaign, o, series_in(shots));
+  return outcome.failed.empty() ? success : shots_failed;
 }
 
 } // namespace
@@ -222,6 +224,37 @@ std::vector<ListedShot> listed_shots(const Campaign &campaign, const Options &o,
   }
   if (shots.empty()) throw ogive::SetupError(file.string() + ": has no shots for " + campaign.name);
   return shots;
+}
+
+std::vector<ListedShot> share_of(const std::vector<ListedShot> &shots, const Options &o) {
+  std::vector<SeriesKey> series;
+  for (const ListedShot &shot : shots) add_once(series, series_of(shot.task.key));
+  std::vector<ListedShot> mine;
+  for (const ListedShot &shot : shots) {
+    const auto place = std::find(series.begin(), series.end(), series_of(shot.task.key)) - series.begin();
+    if (place % o.shards == o.shard - 1) mine.push_back(shot);
+  }
+  return mine;
+}
+
+std::vector<Task> tasks_of(const std::vector<ListedShot> &shots) {
+  std::vector<Task> tasks;
+  for (const ListedShot &shot : shots) {
+    const auto found =
+        std::find_if(tasks.begin(), tasks.end(), [&](const Task &task) { return task.key == shot.task.key; });
+    if (found == tasks.end())
+      tasks.push_back(shot.task);
+    else if (shot.task.frames_us > 0)
+      found->frames_us = found->frames_us > 0 ? std::min(found->frames_us, shot.task.frames_us) : shot.task.frames_us;
+  }
+  return tasks;
+}
+
+std::vector<SeriesKey> series_in(const std::vector<ListedShot> &shots) {
+  std::vector<SeriesKey> series;
+  for (const ListedShot &shot : shots)
+    if (!shot.picture) add_once(series, series_of(shot.task.key));
+  return series;
 }
 
 int run_campaign(const Campaign &campaign, int argc, const char *const *argv) {

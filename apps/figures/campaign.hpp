@@ -56,8 +56,18 @@ struct ListedShot {
 std::vector<ListedShot> listed_shots(const Campaign &campaign, const Options &options,
                                      const std::filesystem::path &data);
 
+/// Those of the shots that belong to the options' shard. A series stays in one shard: its bisection then needs no other
+/// and asks for the same velocities as in a run without shards.
+std::vector<ListedShot> share_of(const std::vector<ListedShot> &shots, const Options &options);
+
+/// The tasks of a list, each once, with the most frequent frames that are asked for.
+std::vector<Task> tasks_of(const std::vector<ListedShot> &shots);
+
+/// The series that the curves of a list belong to, in its order.
+std::vector<SeriesKey> series_in(const std::vector<ListedShot> &shots);
+
 /// Runs, resumes and draws; the program's main. Returns its exit status: 0, 1 failure, 2 wrong input, 3 a shot or file
-/// failed.
+/// failed. SIGINT, SIGTERM and SIGHUP end the process once the shots on their way are ended.
 int run_campaign(const Campaign &campaign, int argc, const char *const *argv);
 
 } // namespace figures

@@ -20,8 +20,11 @@ using ogive::shortest;
 /// Points to be plotted, x and y.
 using Points = std::vector<std::pair<double, double>>;
 
-/// Writes points and returns the file.
+/// Writes points and returns the file. Throws WriteError.
 fs::path written(const Points &points, const fs::path &file) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) throw ogive::write_error(file, error.message());
   std::string csv = "x,y\n";
   for (const auto &[x, y] : points) csv += shortest(x) + "," + shortest(y) + "\n";
   ogive::write_atomically(file, csv);
@@ -175,7 +178,6 @@ bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const fs
 
 bool draw_plot(const Plot &plot, const std::vector<SeriesKey> &series, const std::vector<ShotRow> &rows,
                const std::vector<LimitRow> &limits, const fs::path &data, const fs::path &out) {
-  fs::create_directories(out / "plot_data");
   return plot.kind == Plot::residual_velocity ? draw_residuals(plot, series, rows, data, out)
                                               : draw_limits(plot, limits, out);
 }

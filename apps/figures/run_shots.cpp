@@ -1,16 +1,15 @@
 #include "run_shots.hpp"
 
+#include "child.hpp"
+#include "shot_lock.hpp"
+
 #include "ogive/io/write_error.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/file.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <fstream>
+#include <list>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -20,6 +19,9 @@ namespace figures {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// How often shots that another process is running are looked after.
+constexpr long poll_s = 1;
 
 /// perforate's command line for a task.
 std::vector<std::string> arguments_of(const Workshop &workshop, const Task &task) {
@@ -39,65 +41,32 @@ std::vector<std::string> arguments_of(const Workshop &workshop, const Task &task
       "--no-picture",
   };
   if (task.frames_us > 0)
-    arguments.push_back("--output-every-us=" + number(task.frames_us));
+    arguments.emplace_back("--output-every-us=" + number(task.frames_us));
   else
-    arguments.push_back("--no-vtk");
+    arguments.emplace_back("--no-vtk");
   return arguments;
 }
 
-/// Starts the program with its output in `log`; returns its process, or -1.
-pid_t start(std::vector<std::string> arguments, const fs::path &log) {
-  std::vector<char *> argv;
-  for (auto &argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = -1;
-  const int error = ::posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return error == 0 ? child : -1;
+fs::path log_of(const Workshop &workshop, const ShotKey &key) { return folder_of(workshop, key).string() + ".log"; }
+
+/// The last line of a log: perforate's reason where it failed.
+std::string last_line(const fs::path &log) {
+  std::ifstream file(log);
+  std::string line, last;
+  while (std::getline(file, line))
+    if (!line.empty()) last = line;
+  return ogive::printable(last);
 }
 
-/// A lock on a shot that other processes see, until it is destroyed. It goes with the process, however that ends.
-class Lock {
-public:
-  Lock(const fs::path &file, bool wait) : descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (descriptor < 0) throw ogive::write_error(file, std::generic_category().message(errno));
-    while (::flock(descriptor, LOCK_EX | (wait ? 0 : LOCK_NB)) != 0)
-      if (errno != EINTR) {
-        ::close(descriptor);
-        descriptor = -1;
-        break;
-      }
-  }
-  Lock(Lock &&other) noexcept : descriptor(std::exchange(other.descriptor, -1)) {}
-  Lock(const Lock &) = delete;
-  Lock &operator=(Lock &&) = delete;
-  ~Lock() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-  bool held() const { return descriptor >= 0; }
+/// Whether perforate came to its end, which it says in its summary, last of all.
+bool is_finished(const Workshop &workshop, const Task &task) {
+  return fs::exists(folder_of(workshop, task.key) / "summary.json");
+}
 
-private:
-  int descriptor;
-};
-
-struct Running {
-  Task task;
-  Lock lock;
-};
-
+/// Whether all frames are there that are wanted. The list of frames grows with them, also in a run that is then killed.
 bool has_frames(const Workshop &workshop, const Task &task) {
-  return task.frames_us <= 0 || fs::exists(folder_of(workshop, task.key) / "perforation.pvd");
-}
-
-/// How a process ended, in words.
-std::string ending(int status) {
-  if (WIFSIGNALED(status)) return std::string("killed by ") + ::strsignal(WTERMSIG(status));
-  return "exit status " + std::to_string(WEXITSTATUS(status));
+  return task.frames_us <= 0 ||
+         (is_finished(workshop, task) && fs::exists(folder_of(workshop, task.key) / "perforation.pvd"));
 }
 
 std::string described(const ShotRow &row) {
@@ -105,6 +74,130 @@ std::string described(const ShotRow &row) {
   std::snprintf(text, sizeof text, "%s: %.1f m/s, %.0f s, energy error %.3f %%", folder_name(row.key).c_str(),
                 row.residual_velocity_mps, row.wall_s, 100 * row.energy_error);
   return text;
+}
+
+/// A shot on its way. The lock is kept until its row is on the disk.
+struct Running {
+  Task task;
+  ShotLock lock;
+};
+
+/// One call of run_shots.
+struct Work {
+  const Workshop &workshop;
+  const std::function<void(const std::string &)> &say;
+  HeldSignals signals{};
+  std::vector<ShotRow> rows{}; ///< known when last looked
+  std::map<pid_t, Running> running{};
+  Outcome outcome{};
+
+  ~Work() {
+    // Only an error leaves some running.
+    for (const auto &[child, shot] : running) ::kill(child, SIGKILL);
+    for (const auto &[child, shot] : running) ::waitpid(child, nullptr, 0);
+  }
+};
+
+bool is_done(const Work &w, const Task &task) {
+  return find_row(w.rows, task.key) != nullptr && has_frames(w.workshop, task);
+}
+
+/// Takes the row that a finished run left. Throws SetupError if it left none, WriteError if it cannot be kept.
+void take_row(Work &w, const Task &task) {
+  const ShotRow row = read_summary(task.key, folder_of(w.workshop, task.key));
+  if (find_row(w.rows, task.key) == nullptr) {
+    append_row(w.workshop.rows, row);
+    w.rows.push_back(row);
+  }
+  w.say(described(row));
+}
+
+/// Takes the row of a shot that was run by a process that ended before it could do so; false if there is none.
+bool has_row_now(Work &w, const Task &task) {
+  if (!is_finished(w.workshop, task) || !has_frames(w.workshop, task)) return false;
+  try {
+    take_row(w, task);
+    return true;
+  } catch (const ogive::SetupError &) {
+    return false; // its summary tells of a fault, or of another shot
+  }
+}
+
+void note_failure(Work &w, const Task &task, const std::string &reason) {
+  w.outcome.failed.push_back(folder_name(task.key) + ": " + reason + "; see " + log_of(w.workshop, task.key).string());
+  w.say("failed: " + w.outcome.failed.back());
+}
+
+/// Takes what has ended out of those running.
+void collect_ended(Work &w) {
+  for (auto shot = w.running.begin(); shot != w.running.end();) {
+    const auto status = status_of(shot->first);
+    if (!status) {
+      ++shot;
+      continue;
+    }
+    const Task &task = shot->second.task;
+    if (*status == 0) {
+      try {
+        take_row(w, task);
+        ++w.outcome.run;
+      } catch (const std::runtime_error &error) {
+        note_failure(w, task, error.what());
+      }
+    } else if (w.outcome.stopped_by == 0) {
+      const std::string line = last_line(log_of(w.workshop, task.key));
+      note_failure(w, task, ending(*status) + (line.empty() ? "" : ": " + line));
+    }
+    shot = w.running.erase(shot);
+  }
+}
+
+/// Starts a task, or finds that it needs no run; false if another process has it. Throws WriteError.
+bool try_to_begin(Work &w, const Task &task) {
+  if (is_done(w, task)) {
+    ++w.outcome.known;
+    return true;
+  }
+  ShotLock lock(w.workshop.out / "shots" / (folder_name(task.key) + ".lock"));
+  if (lock.is_elsewhere()) return false;
+  static bool told = false; // once for all rounds
+  if (lock.missing() != 0 && !std::exchange(told, true))
+    w.say("no locks in " + w.workshop.out.string() + " (" + std::generic_category().message(lock.missing()) +
+          "): a shot must not be run by two processes at a time");
+  // What the one before did is known only now.
+  w.rows = read_all_rows(w.workshop.out);
+  if (is_done(w, task) || has_row_now(w, task)) {
+    ++w.outcome.known;
+    return true;
+  }
+  const pid_t child = start(arguments_of(w.workshop, task), log_of(w.workshop, task.key), w.signals);
+  if (child < 0)
+    note_failure(w, task, "no process can be started");
+  else
+    w.running.emplace(child, Running{task, std::move(lock)});
+  return true;
+}
+
+/// The same, where a file that cannot be written is the failure of this shot alone.
+bool begin(Work &w, const Task &task) {
+  try {
+    return try_to_begin(w, task);
+  } catch (const ogive::WriteError &error) {
+    note_failure(w, task, error.what());
+    return true;
+  }
+}
+
+/// Ends the shots that are running; a second signal does not let them take their time.
+void stop(Work &w, int signal) {
+  w.outcome.stopped_by = signal;
+  for (const auto &[child, shot] : w.running) {
+    ::kill(child, SIGTERM);
+    ::kill(child, SIGCONT); // somebody may have paused it
+  }
+  for (collect_ended(w); !w.running.empty(); collect_ended(w))
+    if (w.signals.wait({}) != 0)
+      for (const auto &[child, shot] : w.running) ::kill(child, SIGKILL);
 }
 
 } // namespace
@@ -117,68 +210,26 @@ Outcome run_shots(const Workshop &workshop, const std::vector<Task> &tasks,
   fs::create_directories(workshop.out / "shots", error);
   if (error) throw ogive::write_error(workshop.out / "shots", error.message());
 
-  Outcome outcome;
-  std::map<pid_t, Running> running;
-  std::vector<ShotRow> rows = read_all_rows(workshop.out);
-  const auto is_done = [&](const Task &task) {
-    return find_row(rows, task.key) != nullptr && has_frames(workshop, task);
-  };
-  // Takes the row from a finished run; says whether there is one.
-  const auto collect = [&](const Task &task, const std::string &how) {
-    try {
-      const ShotRow row = read_summary(task.key, folder_of(workshop, task.key));
-      if (find_row(rows, task.key) == nullptr) append_row(workshop.rows, row);
-      rows.push_back(row);
-      say(described(row));
-      return true;
-    } catch (const ogive::SetupError &reason) {
-      if (!how.empty())
-        outcome.failed.push_back(folder_name(task.key) + ": " + how + ", see " +
-                                 (folder_of(workshop, task.key).string() + ".log") + ": " + reason.what());
-      return false;
-    }
-  };
-  const auto wait_for_one = [&] {
-    int status = 0;
-    const pid_t child = ::waitpid(-1, &status, 0);
-    const auto found = running.find(child);
-    if (found == running.end()) return;
-    if (collect(found->second.task, ending(status)))
-      ++outcome.run;
-    else
-      say(outcome.failed.back());
-    running.erase(found);
-  };
-  const auto begin = [&](const Task &task, bool wait) {
-    Lock lock(workshop.out / "shots" / (folder_name(task.key) + ".lock"), wait);
-    if (!lock.held()) return false;
-    rows = read_all_rows(workshop.out);
-    const bool finished = fs::exists(folder_of(workshop, task.key) / "summary.json") && has_frames(workshop, task);
-    if (is_done(task) || (finished && collect(task, ""))) {
-      ++outcome.known;
-      return true;
-    }
-    const pid_t child = start(arguments_of(workshop, task), folder_of(workshop, task.key).string() + ".log");
-    if (child < 0)
-      outcome.failed.push_back(folder_name(task.key) + ": " + workshop.perforate.string() + " cannot be started");
-    else
-      running.emplace(child, Running{task, std::move(lock)});
-    return true;
-  };
+  Work w{workshop, say};
+  w.rows = read_all_rows(workshop.out);
+  std::list<Task> waiting(tasks.begin(), tasks.end());
+  const auto has_room = [&] { return static_cast<int>(w.running.size()) < workshop.jobs; };
+  for (bool told = false;;) {
+    for (auto task = waiting.begin(); task != waiting.end() && has_room();)
+      task = begin(w, *task) ? waiting.erase(task) : std::next(task);
+    if (waiting.empty() && w.running.empty()) return w.outcome;
 
-  std::vector<Task> elsewhere;
-  for (const bool wait : {false, true}) {
-    for (const Task &task : wait ? std::exchange(elsewhere, {}) : tasks) {
-      if (is_done(task)) {
-        ++outcome.known;
-        continue;
-      }
-      while (static_cast<int>(running.size()) >= workshop.jobs) wait_for_one();
-      if (!begin(task, wait)) elsewhere.push_back(task);
+    const bool all_elsewhere = w.running.empty();
+    if (all_elsewhere && !std::exchange(told, true))
+      say("waiting for " + std::to_string(waiting.size()) + " shots that other processes run");
+    // The end of a shot wakes us only if it is ours.
+    const bool poll = !waiting.empty() && has_room();
+    if (const int signal = w.signals.wait(poll ? std::optional(poll_s) : std::nullopt)) {
+      stop(w, signal);
+      return w.outcome;
     }
-    while (!running.empty()) wait_for_one();
+    collect_ended(w);
   }
-  return outcome;
 }
 
 } // namespace figures

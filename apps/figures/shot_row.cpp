@@ -2,7 +2,6 @@
 
 #include "ogive/io/csv_rows.hpp"
 #include "ogive/io/write_error.hpp"
-#include "shared/toml_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace figures {
@@ -35,8 +37,18 @@ std::string line_of(const ShotRow &row, bool header) {
 void assign(std::string &value, const std::string &text, const std::string &) { value = text; }
 void assign(double &value, const std::string &text, const std::string &where) {
   const auto number = ogive::number_from(text);
-  if (!number) throw SetupError(where + " = " + ogive::printable(text) + ": must be a number");
+  if (!number || !std::isfinite(*number))
+    throw SetupError(where + " = " + ogive::printable(text) + ": must be a finite number");
   value = *number;
+}
+
+/// All of a file. Throws SetupError.
+std::string read_text(const std::filesystem::path &name) {
+  std::error_code none;
+  std::ifstream file(name, std::ios::binary);
+  if (!file || !std::filesystem::is_regular_file(name, none))
+    throw SetupError(name.string() + ": must be a file that can be read");
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// Writes all of the text at the end of an open file; returns errno or 0.
@@ -68,13 +80,14 @@ std::string folder_name(const ShotKey &key) {
 
 ShotRow read_summary(const ShotKey &key, const std::filesystem::path &folder) {
   const auto file = folder / "summary.json";
-  const auto json = nlohmann::json::parse(input::text_of_file(file, "summary"), nullptr, false);
+  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
   if (!json.is_object()) throw SetupError(file.string() + ": is no summary of perforate");
-  if (!json.value("fault", nlohmann::json()).is_null())
-    throw SetupError(file.string() + ": the run stopped: " + json["fault"].value("what", ""));
   ShotRow row;
   row.key = key;
   try {
+    if (!json.at("fault").is_null())
+      throw SetupError(file.string() +
+                       ": the run stopped: " + ogive::printable(json["fault"].at("what").get<std::string>()));
     for_each_column(row, [&]<class V>(const std::string &name, V &value) {
       if (name == "perforated")
         row.perforated = json.at(name).get<bool>() ? 1 : 0;
@@ -91,7 +104,7 @@ ShotRow read_summary(const ShotKey &key, const std::filesystem::path &folder) {
 std::vector<ShotRow> read_rows(const std::filesystem::path &file) {
   std::vector<ShotRow> rows;
   if (!std::filesystem::exists(file)) return rows;
-  std::string text = input::text_of_file(file, "rows");
+  std::string text = read_text(file);
   text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
   const std::string header = line_of({}, true);
   std::size_t columns = 1 + static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));
@@ -139,8 +152,10 @@ void append_row(const std::filesystem::path &file, const ShotRow &row) {
   const auto fail = [&](int error) { return ogive::write_error(file, std::generic_category().message(error)); };
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor < 0) throw fail(errno);
-  int error = ::flock(descriptor, LOCK_EX) == 0 ? 0 : errno;
-  if (error == 0 && ::ftruncate(descriptor, end_of_lines(descriptor)) != 0) error = errno;
+  // Where the file system has no locks each process must have a file of its own, as shards do.
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+  }
+  int error = ::ftruncate(descriptor, end_of_lines(descriptor)) == 0 ? 0 : errno;
   const bool is_new = ::lseek(descriptor, 0, SEEK_END) == 0;
   if (error == 0) error = write_all(descriptor, (is_new ? line_of({}, true) : "") + line_of(row, false));
   ::close(descriptor);

@@ -1,0 +1,85 @@
+# Runs the programs of the figures with bad input: each must end with status 2, one line on stderr, nothing on stdout, and
+# no new file. Needs -D FOLDER=<the folder of the programs>.
+
+set(folder "${CMAKE_CURRENT_BINARY_DIR}/figures_bad_input")
+file(REMOVE_RECURSE "${folder}")
+file(MAKE_DIRECTORY "${folder}/damaged" "${folder}/no_rows")
+file(WRITE "${folder}/a_file" "old")
+file(WRITE "${folder}/damaged/shots.1-of-2.csv" "method,law\n")
+file(WRITE "${folder}/program" "#!/bin/sh\nexit 9\n")
+file(CHMOD "${folder}/program" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+
+# refused(<program> <what the line must contain> <arguments>...)
+function(refused program expected)
+  execute_process(
+    COMMAND "${FOLDER}/${program}" ${ARGN}
+    WORKING_DIRECTORY "${folder}"
+    TIMEOUT 60
+    RESULT_VARIABLE status
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  if(NOT status EQUAL 2)
+    message(SEND_ERROR "${program} ${ARGN}: exit status ${status} instead of 2: ${error}")
+  endif()
+  if(NOT error MATCHES "^${program}: error: [^\n]*\n$")
+    message(SEND_ERROR "${program} ${ARGN}: not one line: ${error}")
+  endif()
+  string(FIND "${error}" "${expected}" position)
+  if(position EQUAL -1)
+    message(SEND_ERROR "${program} ${ARGN}: \"${expected}\" is not in: ${error}")
+  endif()
+  if(NOT output STREQUAL "")
+    message(SEND_ERROR "${program} ${ARGN}: wrote to stdout: ${output}")
+  endif()
+endfunction()
+
+foreach(program steel_blunt nose_shapes aluminium_conical)
+  refused(${program} "--figure = 99: must be one of " --figure 99 --perforate program)
+  refused(${program} "--shard = 3/2: must be I/N with whole numbers 1 <= I <= N" --shard 3/2)
+  refused(${program} "--jobs = 0: must be a whole number between 1 and 1000" --jobs 0)
+  refused(${program} "--model = foo: must be mjc, jc or both" --model foo)
+  refused(${program} "--spacing-mm = -1: must lie between 0.05 and 5 mm" --spacing-mm -1)
+  refused(${program} "--no-such-option: unknown option" --no-such-option)
+  refused(${program} "--perforate = missing: must be a program" --perforate missing)
+  refused(${program} "--out = a_file: must be a folder" --out a_file --perforate program)
+  refused(${program} "damaged/shots.1-of-2.csv:1: fields in the row = 2: must be 28" --out damaged --no-run)
+endforeach()
+refused(steel_blunt "--figure = 11: must be one of 6, 7, 8, 9, 10" --figure 11)
+refused(steel_blunt "--figure = six: must be a whole number" --figure six)
+refused(steel_blunt "--figure: needs a value: one of 6, 7, 8, 9, 10" --figure)
+foreach(shard x 1 1/ /2 0/3 1/3/3 1.5/3 -1/3 1/99999 1/nan)
+  refused(steel_blunt "--shard = ${shard}: must be I/N" --shard ${shard})
+endforeach()
+foreach(jobs 1.5 -1 many 1001 nan)
+  refused(steel_blunt "--jobs = ${jobs}: must be a whole number" --jobs ${jobs})
+endforeach()
+refused(steel_blunt "--spacing-mm = 0.6mm: must be a number" --spacing-mm 0.6mm)
+refused(steel_blunt "--spacing-mm = nan: must lie between" --spacing-mm nan)
+refused(steel_blunt "--quick = perhaps: must be true or false" --quick=perhaps)
+refused(steel_blunt "more: unexpected argument" more)
+refused(steel_blunt "--config = a_file: is not known here" --config a_file)
+refused(steel_blunt "--perforate = a_file: must be a program" --perforate a_file)
+refused(steel_blunt "--perforate = no_rows: must be a program" --perforate no_rows)
+refused(steel_blunt "--out = /proc/1/none: must be a folder" --out /proc/1/none --perforate program)
+refused(steel_blunt "--out = no_rows: must be a folder with shots*.csv" --out no_rows --no-run)
+refused(steel_blunt "--out = nowhere: must be a folder with shots*.csv" --out nowhere --no-run)
+refused(steel_blunt "has no shots for steel_blunt" --figure 7 --model jc --perforate program)
+
+file(GLOB_RECURSE left RELATIVE "${folder}" LIST_DIRECTORIES true "${folder}/*")
+if(NOT left STREQUAL "a_file;damaged;damaged/shots.1-of-2.csv;no_rows;program")
+  message(SEND_ERROR "files were added or removed: ${left}")
+endif()
+
+# Where every shot fails, each is told in one line and the status is 3.
+execute_process(
+  COMMAND "${FOLDER}/nose_shapes" --model mjc --perforate program --out all_fail --shard 1/1
+  WORKING_DIRECTORY "${folder}"
+  TIMEOUT 60
+  RESULT_VARIABLE status
+  OUTPUT_VARIABLE output
+  ERROR_VARIABLE error)
+string(REGEX MATCHALL "nose_shapes: failed: [^\n;]* exit status 9" lines "${error}")
+list(LENGTH lines count)
+if(NOT status EQUAL 3 OR NOT count EQUAL 21 OR NOT output MATCHES "0 shots run, 0 known before, 21 failed\n")
+  message(SEND_ERROR "all failed: exit status ${status}, ${count} lines: ${output}${error}")
+endif()
