@@ -3,6 +3,7 @@
 #include "ogive/version.hpp"
 #include "options_material.hpp"
 #include "options_table.hpp"
+#include "saved_case.hpp"
 
 #include <map>
 #include <ostream>
@@ -74,6 +75,7 @@ std::vector<input::Flag> flags() {
     all.push_back(
         {entry.key, allowed_text(entry, value), std::is_same_v<V, bool> ? input::Flag::none : input::Flag::one});
   });
+  all.push_back({"restart", "the name of a checkpoint file"});
   return all;
 }
 
@@ -118,6 +120,36 @@ void check(const Options &o, const Origins &origins) {
                      shortest(most_particles / 1e6) + " million are allowed");
 }
 
+/// The options that a run may change when it goes on: nothing in the physics depends on them.
+constexpr std::array<std::string_view, 8> changeable{"end_us", "out",     "output_every_us", "checkpoint_every_us",
+                                                     "vtk",    "picture", "quiet",           "threads"};
+
+/// The options of the checkpoint with what the command line changes.
+Options parse_restart(const input::CommandLine &line, const Given &restart) {
+  std::string flags;
+  for (const auto key : changeable) flags += (flags.empty() ? "" : ", ") + flag_of(key);
+  if (line.config) refuse("--config", *line.config, "the case is that of --restart; what may be given is " + flags);
+  for (const Given &given : line.given)
+    if (given.key != "restart" && std::find(changeable.begin(), changeable.end(), given.key) == changeable.end())
+      refuse(given, "the case is that of --restart; what may be given is " + flags);
+
+  const std::filesystem::path file = input::line_given(restart, "the name of a checkpoint file");
+  const SavedCase saved = read_saved_case(file);
+  Options options;
+  Origins origins;
+  for (const Given &given : entries_of(saved.case_toml, "case in " + file.string())) apply(options, origins, given);
+  options.out = file.has_parent_path() ? file.parent_path() : ".";
+  for (const Given &given : line.given) apply(options, origins, given);
+  check(options, origins);
+  options.restart = {file, saved.metal_toml, saved.time_us};
+  const bool end_given =
+      std::any_of(line.given.begin(), line.given.end(), [](const Given &given) { return given.key == "end_us"; });
+  if (end_given && options.end_us < saved.time_us)
+    refuse("--end-us", shortest(options.end_us),
+           "must not lie before the time of the checkpoint, " + shortest(saved.time_us) + " us");
+  return options;
+}
+
 } // namespace
 
 FailureEffect default_failure(DamageLaw damage) {
@@ -149,6 +181,9 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
   else if (list)
     text << library_list();
   if (line.help || line.version || list) return std::nullopt;
+
+  for (const Given &given : line.given)
+    if (given.key == "restart") return parse_restart(line, given);
 
   Options options;
   Origins origins;

@@ -32,6 +32,15 @@ enum class SphKernel { cubic_spline, wendland_c2 };
 enum class Smoothing { constant, variable };
 enum class ElementRule { one_point, selective_reduced };
 
+/// What a run that goes on from a checkpoint has from there, besides the options of its case.
+struct Restart {
+  std::filesystem::path file;
+  std::string metal_toml; ///< the metal of the plate
+  double time_us = 0;     ///< of the checkpoint
+
+  bool operator==(const Restart &) const = default;
+};
+
 /// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
 struct Options {
   std::string material = "weldox_460e"; ///< a name of the library, or a file that ends in .toml
@@ -59,13 +68,25 @@ struct Options {
 
   std::filesystem::path out = "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps"; ///< default_out() where none is given
   double output_every_us = 5;
-  bool vtk = true;            ///< write VTK files
-  bool picture = true;        ///< draw the section picture
-  bool quiet = false;         ///< no progress on the terminal
-  std::optional<int> threads; ///< unset: as many as OpenMP offers
+  double checkpoint_every_us = 0; ///< 0: by wall time, see checkpoint_minutes
+  bool vtk = true;                ///< write VTK files
+  bool picture = true;            ///< draw the section picture
+  bool quiet = false;             ///< no progress on the terminal
+  std::optional<int> threads;     ///< unset: as many as OpenMP offers
+
+  std::optional<Restart> restart; ///< set: the run goes on from there
 
   bool operator==(const Options &) const = default;
 };
+
+/// Name of the checkpoint in the folder of the results.
+inline constexpr char checkpoint_name[] = "checkpoint.bin";
+
+/// Name that it gets when another run begins in the folder.
+inline constexpr char earlier_checkpoint_name[] = "checkpoint_before.bin";
+
+/// Wall time between two checkpoints of a run that has no interval for them.
+inline constexpr double checkpoint_minutes = 15;
 
 /// Radius of all projectiles of the paper, mm.
 inline constexpr double projectile_radius_mm = 10;
@@ -91,14 +112,18 @@ std::filesystem::path default_out(const Options &options);
 double estimated_particles(const Options &options);
 
 /// Reads the command line (argv[0] is skipped) and the TOML file that --config names; the command line wins. The name
-/// of a material file counts from the folder of the TOML file, or on the command line from the current one. Returns
-/// nothing if --help, --version or --material list was asked for and has been written to `text`. Throws
-/// ogive::SetupError, one line that names the option (or file, line and key), the value and what is allowed. Reads the
-/// material file to check it, and touches no other.
+/// of a material file counts from the folder of the TOML file, or on the command line from the current one. With
+/// --restart the case is that of the checkpoint, and its folder that of the results; only options that leave the
+/// physics as they are may be given. Returns nothing if --help, --version or --material list was asked for and has been
+/// written to `text`. Throws ogive::SetupError, one line that names the option (or file, line and key), the value and
+/// what is allowed. Reads the material file or the checkpoint to check it, and touches no other.
 std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text);
 
 /// A TOML file that runs the same case with --config.
 std::string to_toml(const Options &options);
+
+/// The same for checkpoints, with all that the file leaves to its reader.
+std::string to_complete_toml(const Options &options);
 
 /// The text of --help.
 std::string help();

@@ -56,6 +56,13 @@ std::string help() {
   text += "\nGeneral:\n";
   text += help_item("--config FILE.toml", "read options from FILE.toml, under the names of the flags with underscores "
                                           "(thickness_mm = 12.0); the command line overrides them");
+  std::string checkpoint = checkpoint_name;
+  text +=
+      help_item("--restart FILE", "go on from FILE, the " + checkpoint +
+                                      " of a run that was interrupted, to the bits of one that was not. The case is "
+                                      "FILE's, the results go on in its folder; only --end-us, --out, "
+                                      "--output-every-us, --checkpoint-every-us, --vtk, --picture, --quiet and "
+                                      "--threads may be given anew");
   text += help_item("--version", "print the version");
   text += help_item("--help", "print this text");
   text += "\nExamples:\n"
@@ -63,8 +70,12 @@ std::string help() {
           "  perforate --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 214\n"
           "  perforate --material my_steel.toml --thickness-mm 10 --damage jc\n"
           "  perforate --config vtk_out/my_case/case.toml --velocity-mps 250 --out vtk_out/my_case_250\n"
+          "  perforate --restart vtk_out/my_case/" +
+          checkpoint +
+          "\n"
           "\nExit status: 0 done; 2 wrong input, nothing was run or overwritten; 3 stopped by a fault in the\n"
-          "run or by a file that could not be written, after a last frame; 1 anything else.\n";
+          "run or by a file that could not be written, after a last frame; 130, 143 or 129 interrupted by\n"
+          "SIGINT (Ctrl-C), SIGTERM or SIGHUP, after a checkpoint and a last frame; 1 anything else.\n";
   return text;
 }
 

@@ -86,7 +86,8 @@ AnyMetal read_metal(const Options &o, const std::string &origin) {
 }
 
 AnyMetal plate_of(const Options &o) {
-  AnyMetal any = read_metal(o, "--material");
+  AnyMetal any = o.restart ? material_file::parse(o.restart->metal_toml, "metal in " + o.restart->file.string())
+                           : read_metal(o, "--material");
   std::visit(
       [&](auto &metal) {
         metal.eos.law = o.pressure;

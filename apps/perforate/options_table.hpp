@@ -143,6 +143,14 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
     o.end_us);
   f(Entry{run, "out", "folder for the results", "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps"}, o.out);
   f(Entry{run, "output_every_us", "time between two frames", "ours", {0.5, 100000, "us"}}, o.output_every_us);
+  f(Entry{run,
+          "checkpoint_every_us",
+          "time between two checkpoints, from which --restart goes on; 0: one every 15 minutes of work. Ctrl-C "
+          "(SIGINT), "
+          "SIGTERM and SIGHUP write one in any case",
+          "ours",
+          {0, 100000, "us"}},
+    o.checkpoint_every_us);
   f(Entry{run, "vtk", "write VTK files", "ours"}, o.vtk);
   f(Entry{run, "picture", "draw the section picture", "ours"}, o.picture);
   f(Entry{run, "quiet", "no progress on the terminal", "ours"}, o.quiet);
@@ -152,5 +160,8 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
 
 /// The entries of a TOML file. Throws SetupError if it cannot be read, is damaged or has unknown keys.
 std::vector<Given> read_toml(const std::string &file);
+
+/// The same from text; `file` is its name in errors.
+std::vector<Given> entries_of(std::string_view text, const std::string &file);
 
 } // namespace perforate

@@ -32,7 +32,11 @@ template <class V> bool left_to_reader(const Options &, const V &) { return fals
 } // namespace
 
 std::vector<Given> read_toml(const std::string &file) {
-  std::vector<Given> entries = input::toml_entries(input::text_of_file(file, "--config"), file, "thickness_mm = 12.0");
+  return entries_of(input::text_of_file(file, "--config"), file);
+}
+
+std::vector<Given> entries_of(std::string_view text, const std::string &file) {
+  std::vector<Given> entries = input::toml_entries(text, file, "thickness_mm = 12.0");
   std::string keys;
   Options any;
   for_each_option(any,
@@ -56,6 +60,16 @@ std::string to_toml(const Options &options) {
     if (group != entry.group) text += std::string("\n# ") + entry.group + "\n";
     group = entry.group;
     if (!left_to_reader(options, value)) text += std::string(entry.key) + " = " + toml_value(value) + "\n";
+  });
+  return text;
+}
+
+std::string to_complete_toml(const Options &options) {
+  std::string text;
+  for_each_option(options, [&]<class V>(const Entry &entry, const V &value) {
+    if constexpr (std::is_same_v<V, std::optional<int>>)
+      if (!value) return;
+    text += std::string(entry.key) + " = " + toml_value(value) + "\n";
   });
   return text;
 }

@@ -12,14 +12,15 @@ namespace perforate {
 /// Progress of a run on standard error: a bar on a terminal, a line now and then otherwise.
 struct Progress {
   bool quiet = false;
+  double before_s = 0; ///< wall time of the run before this part of it
   bool terminal = isatty(STDERR_FILENO) != 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double last_shown_s = -1e9;
 };
 
-/// Seconds since the start.
+/// Seconds of all parts of the run.
 inline double elapsed_s(const Progress &p) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - p.start).count();
+  return p.before_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - p.start).count();
 }
 
 /// "2 min 05 s"

@@ -85,24 +85,6 @@ std::optional<experiment::Residual> find_test(const Options &o) {
                                    std::string(ogive::name(o.nose)), o.thickness_mm, o.velocity_mps);
 }
 
-void start_results(const Options &o, const material_file::AnyMetal &plate) {
-  for (const char *name : {"summary.json", "history.csv", "section.png", "velocity.svg"}) {
-    std::error_code ignored;
-    std::filesystem::remove(o.out / name, ignored);
-  }
-  const auto copy = o.out / "material.toml";
-  std::error_code missing;
-  if (!is_material_file(o.material) || !std::filesystem::equivalent(copy, o.material, missing))
-    ogive::write_atomically(
-        copy, material_file::to_toml(plate, "The metal of the plate in a run of perforate " +
-                                                std::string(ogive::version) + ", from " + o.material +
-                                                ".\nA copy with other numbers is a metal for --material."));
-  Options again = o;
-  // Counts from the folder of case.toml, so that the folder may move.
-  if (is_material_file(o.material)) again.material = copy.filename().string();
-  ogive::write_atomically(o.out / "case.toml", to_toml(again));
-}
-
 void announce(const Options &o, const Shot &shot) {
   if (o.quiet) return;
   const Sizes &s = shot.sizes;
@@ -112,6 +94,7 @@ void announce(const Options &o, const Shot &shot) {
   std::printf("  projectile          %.2f g (197 g in the tests)", s.projectile_mass_g);
   if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
   std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
+  if (o.restart) std::printf("  goes on from        %.3f us, %s\n", o.restart->time_us, o.restart->file.c_str());
   std::fflush(stdout);
 }
 

@@ -1,14 +1,16 @@
 #pragma once
 
+#include "files.hpp"
+#include "interrupt.hpp"
+#include "keeper.hpp"
 #include "progress.hpp"
 #include "shot.hpp"
 
-#include "ogive/io/csv.hpp"
-#include "ogive/io/vtk.hpp"
+#include "ogive/io/checkpoint.hpp"
 #include "ogive/perforation/setup.hpp"
 #include "ogive/sim/hash.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 
 namespace perforate {
@@ -46,12 +48,38 @@ template <class M> Sizes sizes_of(const M &model) {
   return s;
 }
 
-/// Writes material.toml and case.toml and removes the results of an earlier run from the folder. A material file that
-/// the user has there under that name is left as it is. Throws WriteError.
-void start_results(const Options &options, const material_file::AnyMetal &plate);
-
 /// Prints what is about to be computed.
 void announce(const Options &options, const Shot &shot);
+
+/// Puts model, run, shot and course where they were in the checkpoint of the options. Throws SetupError.
+template <class M>
+void go_on(const Options &options, M &model, ogive::RunState<double> &state, Shot &shot, Course &course) {
+  const auto checkpoint = ogive::read_checkpoint(options.restart->file);
+  read_notes(checkpoint, shot, course);
+  ogive::restore(checkpoint, model, state);
+  course.next_frame_us += options.output_every_us - course.frame_interval_us;
+  course.frame_interval_us = options.output_every_us;
+}
+
+/// Takes a look at the model into shot, course and history.csv.
+template <class M>
+void take_look(const M &now, const ogive::Energy<double> &e, const ogive::ProjectileShape<double> &shape, Shot &shot,
+               Course &course, Files &files) {
+  const auto sample = ogive::observe_flight(now, shape);
+  ogive::record(shot.flight, sample, [&] { return ogive::is_plug_loose(now); });
+  const double momentum = -ogive::momentum(now)[2], impulse = -now.support_impulse[2] * now.symmetry.copies();
+  if (shot.flight.samples.size() == 1) course.first_energy = total(e), course.first_momentum = momentum;
+  shot.hourglass_fraction = e.hourglass / course.first_energy;
+  const double error = std::abs(total(e) / course.first_energy - 1);
+  if (!(error <= shot.energy_error)) shot.energy_error = error;
+  shot.momentum_error =
+      std::max(shot.momentum_error, std::abs(momentum - course.first_momentum - impulse) / course.first_momentum);
+  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,
+                    e.elastic,      e.plastic,       e.hourglass,       e.viscous,         e.contact,
+                    e.friction,     e.external,      total(e),          momentum,          impulse};
+  ogive::add_row(files.history, row);
+  course.history.insert(course.history.end(), row.begin(), row.end());
+}
 
 /// Runs a case with the kernel, form and hexes chosen at compile time.
 template <class Kernel, class Form, class Rule, class Law>
@@ -69,50 +97,53 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   shot.sizes = sizes_of(model);
   shot.flight = ogive::start_flight(c);
   shot.symmetry = model.symmetry;
+  Course course;
+  course.frame_interval_us = options.output_every_us;
+  ogive::RunState<double> state;
+  if (options.restart) go_on(options, model, state, shot, course);
   announce(options, shot);
+  const SignalCatcher catcher;
   start_results(options, plate);
+  Files files = open_files(options, course);
+  Progress progress{.quiet = options.quiet, .before_s = course.wall_s};
+  Keeper keeper = start_keeper(options, model.time * 1e6, course.wall_s);
 
-  auto history = ogive::open_csv(options.out / "history.csv",
-                                 {"time_us", "velocity_m_per_s", "nose_depth_mm", "tail_depth_mm", "kinetic_J",
-                                  "elastic_J", "plastic_J", "hourglass_J", "viscous_J", "contact_J", "friction_J",
-                                  "external_J", "total_J", "momentum_N_s", "support_impulse_N_s"});
-  auto series = ogive::open_series(options.out, "perforation");
-  Progress progress{.quiet = options.quiet};
-  double first_energy = 0, first_momentum = 0, next_frame_us = 0, writing_s = 0;
-  const auto write_frame = [&] {
-    if (!options.vtk) return;
+  const auto writing = [&](auto &&write) {
     const double before = elapsed_s(progress);
-    ogive::add_frame(series, ogive::gather_frame(model));
-    writing_s += elapsed_s(progress) - before;
+    write();
+    course.writing_s += elapsed_s(progress) - before;
   };
-
-  ogive::RunOptions<double> run_options;
-  run_options.end_time = options.end_us * 1e-6;
-  double last_frame_us = -1;
-  const auto result = ogive::run(model, run_options, [&](const auto &now, const ogive::Energy<double> &e) {
-    const auto sample = ogive::observe_flight(now, shape);
-    ogive::record(shot.flight, sample, [&] { return ogive::is_plug_loose(now); });
-    const double momentum = -ogive::momentum(now)[2], time_us = now.time * 1e6;
-    const double impulse = -now.support_impulse[2] * now.symmetry.copies();
-    if (shot.flight.samples.size() == 1) first_energy = total(e), first_momentum = momentum;
-    shot.hourglass_fraction = e.hourglass / first_energy;
-    const double error = std::abs(total(e) / first_energy - 1);
-    if (!(error <= shot.energy_error)) shot.energy_error = error;
-    shot.momentum_error = std::max(shot.momentum_error, std::abs(momentum - first_momentum - impulse) / first_momentum);
-    ogive::add_row(history,
-                   {time_us, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic, e.elastic, e.plastic,
-                    e.hourglass, e.viscous, e.contact, e.friction, e.external, total(e), momentum, impulse});
-    if (time_us >= next_frame_us) {
+  const auto write_frame = [&] {
+    if (options.vtk) writing([&] { add_frame(files, course, ogive::gather_frame(model)); });
+    course.last_frame_us = model.time * 1e6;
+  };
+  const auto observe = [&](const auto &now, const ogive::Energy<double> &e) {
+    take_look(now, e, shape, shot, course, files);
+    if (now.time * 1e6 >= course.next_frame_us) {
       write_frame();
       shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(now) * 1e3);
-      last_frame_us = time_us;
-      next_frame_us += options.output_every_us;
+      course.next_frame_us += options.output_every_us;
     }
-    show(progress, time_us, options.end_us, sample.velocity, now.steps);
+    show(progress, now.time * 1e6, options.end_us, shot.flight.samples.back().velocity, now.steps);
     return shot.flight.state == ogive::FlightState::in_progress;
-  });
-  shot.loop_s = elapsed_s(progress) - writing_s;
-  if (last_frame_us < model.time * 1e6) write_frame();
+  };
+  ogive::RunOptions<double> run_options;
+  run_options.end_time = options.end_us * 1e-6;
+  const auto pause = [&](const auto &now, const auto &run) {
+    shot.interrupted_by = caught_signal();
+    course.wall_s = elapsed_s(progress);
+    // At the end of the time too, so that the run can go on with a later one.
+    const bool at_end = options.checkpoint_every_us > 0 && now.time >= run_options.end_time * (1 - 1e-12);
+    if (is_due(keeper, now.time * 1e6, course.wall_s) || at_end || shot.interrupted_by != 0)
+      writing([&] {
+        ogive::write_checkpoint(options.out / checkpoint_name, now, run,
+                                notes_of(options, plate, shot, course, now.time * 1e6));
+      });
+    return shot.interrupted_by != 0;
+  };
+  const auto result = ogive::run(model, run_options, state, observe, pause);
+  shot.loop_s = elapsed_s(progress) - course.writing_s;
+  if (course.last_frame_us < model.time * 1e6) write_frame();
   show(progress, model.time * 1e6, options.end_us, shot.flight.samples.back().velocity, model.steps, true);
 
   shot.reason = result.reason;

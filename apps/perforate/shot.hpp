@@ -32,6 +32,7 @@ struct Shot {
   ogive::Flight<double> flight;
   ogive::StopReason reason = ogive::StopReason::end_time;
   std::optional<ogive::Fault> fault;
+  int interrupted_by = 0; ///< signal; 0: the run came to its end
   ogive::Fragments<double> fragments;
   ogive::PlateShape<double> shape;
   double intrusion_mm = 0;       ///< deepest over the frames: particle behind the projectile's surface
@@ -55,8 +56,9 @@ bool perforated(const Shot &shot);
 /// Residual velocity in m/s, 0 unless perforated.
 double residual_mps(const Shot &shot);
 
-/// Runs the case with this metal (of plate_of()) as the plate and writes history and VTK files into `options.out`.
-/// Throws SetupError for a case that cannot be built, WriteError for a file that cannot be written.
+/// Runs the case with this metal (of plate_of()) as the plate, from the start or from the checkpoint of the options,
+/// and writes history, VTK files and checkpoints into `options.out`. Throws SetupError for a case that cannot be built
+/// or a checkpoint that does not fit it, WriteError for a file that cannot be written.
 Shot shoot(const Options &options, const material_file::AnyMetal &plate);
 
 /// The parts of shoot(), one for each flow model so that they compile side by side.

@@ -182,6 +182,7 @@ TEST_CASE("case.toml runs the same case again") {
   all.pressure = perforate::PressureLaw::mie_gruneisen;
   all.out = "a \"quoted\" \\ folder";
   all.output_every_us = 0.5;
+  all.checkpoint_every_us = 20;
   all.vtk = false;
   all.picture = false;
   all.quiet = true;
@@ -199,14 +200,37 @@ TEST_CASE("help and version stop the run, and help fits a terminal and names eve
 
   std::ostringstream text;
   CHECK_FALSE(parse({"--quiet", "--help"}, text));
-  for (const char *flag : {"--material",     "--model",      "--thickness-mm",  "--nose",
-                           "--velocity-mps", "--spacing-mm", "--sph-radius-mm", "--clamp-radius-mm",
-                           "--friction",     "--end-us",     "--threads",       "--output-every-us",
-                           "--out",          "--config",     "--version",       "--help",
-                           "--kernel",       "--form",       "--projectile",    "--lattice",
-                           "--smoothing",    "--extent",     "--element",       "--pressure",
-                           "--picture",      "--vtk",        "--quiet",         "--damage",
-                           "--failure"})
+  for (const char *flag : {"--material",
+                           "--model",
+                           "--thickness-mm",
+                           "--nose",
+                           "--velocity-mps",
+                           "--spacing-mm",
+                           "--sph-radius-mm",
+                           "--clamp-radius-mm",
+                           "--friction",
+                           "--end-us",
+                           "--threads",
+                           "--output-every-us",
+                           "--out",
+                           "--config",
+                           "--version",
+                           "--help",
+                           "--kernel",
+                           "--form",
+                           "--projectile",
+                           "--lattice",
+                           "--smoothing",
+                           "--extent",
+                           "--element",
+                           "--pressure",
+                           "--picture",
+                           "--vtk",
+                           "--quiet",
+                           "--damage",
+                           "--failure",
+                           "--restart",
+                           "--checkpoint-every-us"})
     CHECK(text.str().find(std::string("\n  ") + flag) != std::string::npos);
   std::istringstream lines(text.str());
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);

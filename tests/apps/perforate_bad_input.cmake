@@ -50,6 +50,13 @@ refused("--material = missing.toml: must be a TOML file that can be read" --mate
 refused("half.toml: model \"jc\" lacks density_kg_per_m3, " --material half.toml)
 refused("rate_factor and does not know a; its keys are name, " --material half.toml)
 refused("--failure = removal: needs --damage" --failure removal)
+refused("--checkpoint-every-us = -1: must lie between 0 and 100000 us" --checkpoint-every-us -1)
+refused("checkpoint = missing.bin: must be a file that can be read" --restart missing.bin)
+refused("checkpoint = a_file: is no checkpoint of ogive" --restart a_file)
+refused("--velocity-mps = 250: the case is that of --restart; what may be given is --end-us, --out, " --restart a_file
+        --velocity-mps 250)
+refused("--config = damaged.toml: the case is that of --restart" --restart a_file --config damaged.toml)
+refused("--restart: needs a value: the name of a checkpoint file" --restart)
 
 file(GLOB left RELATIVE "${folder}" "${folder}/*")
 if(NOT left STREQUAL "a_file;damaged.toml;half.toml;unknown.toml")

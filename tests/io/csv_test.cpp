@@ -7,6 +7,7 @@
 #include <limits>
 
 using ogive::add_row;
+using ogive::continue_csv;
 using ogive::open_csv;
 
 TEST_CASE("a table has one header and its rows are on the disk at once") {
@@ -43,6 +44,28 @@ TEST_CASE("a new table replaces an old one") {
   CHECK(read_text(path) == "t\n");
 }
 
+TEST_CASE("a table goes on after the rows that it is given, whatever was there") {
+  const TemporaryFolder folder;
+  const auto path = folder.path / "history.csv";
+  {
+    auto csv = open_csv(path, {"a", "b"});
+    for (int k = 0; k < 5; ++k) add_row(csv, {double(k), 1.0 / 3});
+  }
+  const std::string whole = read_text(path);
+  const double kept[] = {0, 1.0 / 3, 1, 1.0 / 3};
+  {
+    auto csv = continue_csv(path, {"a", "b"}, kept);
+    CHECK(read_text(path) == "a,b\n0,0.3333333333333333\n1,0.3333333333333333\n");
+    for (int k = 2; k < 5; ++k) add_row(csv, {double(k), 1.0 / 3});
+  }
+  CHECK(read_text(path) == whole);
+  { auto csv = continue_csv(path, {"a", "b"}, {}); }
+  CHECK(read_text(path) == "a,b\n");
+  CHECK(count_files(folder.path) == 1);
+  CHECK_THROWS_AS(continue_csv(path, {"a", "b"}, std::span(kept, 3)), ogive::SetupError);
+  CHECK(read_text(path) == "a,b\n");
+}
+
 TEST_CASE("rows and column names that would spoil a table are refused") {
   const TemporaryFolder folder;
   const auto path = folder.path / "history.csv";
@@ -61,10 +84,13 @@ TEST_CASE("a table that cannot be written names the file and the reason") {
   const auto path = folder.path / "history.csv";
   auto csv = open_csv(path, {"a"});
   {
-    const FullDisk full(4);
+    const FullDisk full(6);
     add_row(csv, {1.0});
-    CHECK_THROWS_WITH(add_row(csv, {2.0}), "cannot write " + path.string() + ": File too large");
+    // Two bytes of it fit.
+    CHECK_THROWS_WITH(add_row(csv, {0.125}), "cannot write " + path.string() + ": File too large");
   }
+  CHECK(read_text(path) == "a\n1\n");
+  CHECK_THROWS_AS(add_row(csv, {2.0}), ogive::WriteError);
   CHECK(read_text(path) == "a\n1\n");
 }
 

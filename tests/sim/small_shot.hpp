@@ -25,4 +25,27 @@ inline auto small_shot(const PerforationCase<double> &c) {
   return make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
 }
 
+/// A metal that fails at the plastic strain 0.1 and then shows it as `effect`.
+template <class Law> Metal<double, Law> brittle(Metal<double, Law> metal, FailureEffect effect) {
+  metal.damage.law = DamageLaw::johnson_cook;
+  metal.damage.effect = effect;
+  metal.damage.failure_strain = {0.1, 0, 0, 0, 0, 1};
+  return metal;
+}
+
+/// The same with all that a shot can have: friction, damage with its effect, a smoothing length that follows the
+/// density, mirror planes.
+template <class Rule, class Form = RenormalisedForm>
+auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical) {
+  auto c = small_case(nose, Extent::quarter);
+  c.rigid_projectile = rigid;
+  auto plate = library::weldox_460e_mjc<double>();
+  plate.damage.law = DamageLaw::johnson_cook;
+  plate.damage.effect = effect;
+  plate.damage.failure_strain = {0.1, 0, 0, 0, 0, 1};
+  PerforationOptions<double> numerics;
+  numerics.sph.variable_smoothing = true;
+  return make_perforation<CubicSpline, Form, Rule>(c, plate, library::arne_tool_steel<double>(), numerics);
+}
+
 } // namespace sim_test

@@ -15,6 +15,7 @@ template <class T> struct Touch {
   std::array<T, 4> weights{};
   Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface
   T depth{};                           ///< m, positive where the slave's sphere enters the surface
+  bool lost = false;                   ///< no contact, because the slave is deeper inside than the search margin
 };
 
 /// Closest point of the candidate facets to slave `a` of the active list. At an edge or corner the direction is that
@@ -48,7 +49,8 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   const T distance = std::sqrt(best.distance_squared);
   const bool outside = best.normal.dot(gap) >= T(0);
   const T depth = outside ? offset - distance : offset + distance;
-  if (depth <= T(0) || (!outside && distance > contact.search_margin)) return {};
+  if (depth <= T(0)) return {};
+  if (!outside && distance > contact.search_margin) return {.lost = true};
   Vec3<T> direction = best.normal;
   if (distance > T(1e-3) * contact.facet_radius[facet]) direction = (outside ? T(1) : T(-1)) / distance * gap;
   const T near = T(1e-6) * contact.facet_radius[facet];
@@ -71,7 +73,7 @@ Vec3<T> relative_velocity(const Nodes<T> &nodes, Index slave, const Facet &facet
 template <class T>
 ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &options, const Vec3<T> &velocity, T mass,
                               T time_step) {
-  ContactForce<T> c{touch.facet, touch.weights, Vec3<T>::Zero(), Vec3<T>::Zero()};
+  ContactForce<T> c{.facet = touch.facet, .weights = touch.weights};
   const T pressing = options.stiffness * mass / (time_step * time_step) * touch.depth;
   c.normal = pressing * touch.direction;
   const Vec3<T> sliding = velocity - velocity.dot(touch.direction) * touch.direction;
@@ -108,7 +110,9 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     const Index s = contact.active[a], node = contact.slaves[s];
     const ContactForce<T> before = contact.forces[s];
     ContactForce<T> now;
-    if (const Touch<T> touch = find_touch(contact, nodes, a); touch.facet >= 0) {
+    if (const Touch<T> touch = find_touch(contact, nodes, a); touch.lost) {
+      now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
+    } else if (touch.facet >= 0) {
       const Vec3<T> sliding = relative_velocity(nodes, node, contact.facets[touch.facet], touch.weights);
       now =
           contact_force(touch, contact.options, sliding, penalty_mass(contact, s, touch), contact.reference_time_step);
@@ -126,6 +130,7 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
   // Masters share nodes; the slaves in contact are few, so one thread hands over their reactions in a fixed order.
   for (Index s : contact.active) {
     const ContactForce<T> &c = contact.forces[s];
+    if (c.lost && contact.lost < 0) contact.lost = s;
     if (c.facet < 0) continue;
     const Vec3<T> reaction = c.normal + c.friction;
     for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;

@@ -21,6 +21,7 @@ template <class T> struct ContactOptions {
 /// What acts on one slave node.
 template <class T> struct ContactForce {
   Index facet = -1;                   ///< the facet touched; -1: no contact
+  Index lost = 0;                     ///< 1: so deep behind the surface that nothing pushes the slave back
   std::array<T, 4> weights{};         ///< of the facet's nodes
   Vec3<T> normal = Vec3<T>::Zero();   ///< normal force on the slave, N
   Vec3<T> friction = Vec3<T>::Zero(); ///< friction force on the slave, N
@@ -41,6 +42,7 @@ template <class T> struct NodeToSurface {
   std::vector<ContactForce<T>> forces;       ///< one for each slave
   std::vector<T> normal_energy;              ///< J, work taken by the penalty springs, one for each slave
   std::vector<T> friction_energy;            ///< J, one for each slave
+  Index lost = -1;                           ///< the first slave that got lost behind the surface; -1: none
 
   T search_margin{};                  ///< m, how far slave and facet may approach before the next search
   std::vector<Vec3<T>> searched_at;   ///< positions of all nodes at the last search, m

@@ -67,7 +67,7 @@ template <class T, class Law, class Rule = OnePoint> struct HexBody {
 };
 
 /// Calls `f(name, unit, values)` for each field of the state of a body of hexes that is not a material point's.
-template <class T, class Law, class Rule, class F> void for_each_hex_field(HexBody<T, Law, Rule> &body, F &&f) {
+template <class Body, class F> void for_each_hex_field(Body &&body, F &&f) {
   f("hourglass_force", "N", body.hourglass_force);
   f("hourglass_energy", "J", body.hourglass_energy);
   f("viscous_pressure", "Pa", body.viscous_pressure);

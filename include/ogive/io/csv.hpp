@@ -1,10 +1,12 @@
 #pragma once
 
 #include "ogive/core/error.hpp"
+#include "ogive/io/atomic_file.hpp"
 #include "ogive/io/write_error.hpp"
 
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -22,19 +24,30 @@ struct CsvWriter {
   std::filesystem::path path;
   std::vector<std::string> columns; ///< names, units included: "time_us"
   std::ofstream file;
+  std::uintmax_t size = 0; ///< bytes of the rows so far
 };
 
-/// Writes `line` and a line end. Throws WriteError with the operating system's reason.
+/// Writes `line` and a line end. Throws WriteError with the operating system's reason; the table then ends with the row
+/// before.
 inline void add_line(CsvWriter &csv, const std::string &line) {
   errno = 0;
   csv.file << line << '\n';
   csv.file.flush();
-  if (!csv.file) throw write_error(csv.path, errno ? std::generic_category().message(errno) : "the stream has failed");
+  if (csv.file) {
+    csv.size += line.size() + 1;
+    return;
+  }
+  const std::string reason = errno ? std::generic_category().message(errno) : "the stream has failed";
+  // Closed first: what is left in the buffer must not follow.
+  csv.file.close();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(csv.path, ignored)) std::filesystem::resize_file(csv.path, csv.size, ignored);
+  throw write_error(csv.path, reason);
 }
 
-/// Starts a new table at `path`, in place of an old one, with its header. Throws SetupError for a column name that is
-/// empty or holds a comma, a quotation mark or a line end, WriteError if the file cannot be written.
-inline CsvWriter open_csv(const std::filesystem::path &path, std::vector<std::string> columns) {
+/// The first line of a table. Throws SetupError for a column name that is empty or holds a comma, a quotation mark or a
+/// line end.
+inline std::string csv_header(const std::filesystem::path &path, const std::vector<std::string> &columns) {
   require(!columns.empty(), path.string() + " columns", columns.size(), "there must be one or more");
   std::string header;
   for (const auto &column : columns) {
@@ -42,10 +55,45 @@ inline CsvWriter open_csv(const std::filesystem::path &path, std::vector<std::st
             column, "must not be empty or hold a comma, a quotation mark or a line end");
     header += (header.empty() ? "" : ",") + column;
   }
+  return header;
+}
+
+/// Numbers as a line, in the fewest digits that read back as the same ones.
+inline std::string csv_line(std::span<const double> values) {
+  std::string line;
+  char digits[32];
+  for (const double value : values) {
+    if (!line.empty()) line += ',';
+    line.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+  }
+  return line;
+}
+
+/// Starts a new table at `path`, in place of an old one, with its header. Throws SetupError for a column name that is
+/// empty or holds a comma, a quotation mark or a line end, WriteError if the file cannot be written.
+inline CsvWriter open_csv(const std::filesystem::path &path, std::vector<std::string> columns) {
+  const std::string header = csv_header(path, columns);
   errno = 0;
-  CsvWriter csv{path, std::move(columns), std::ofstream(path)};
+  CsvWriter csv{path, std::move(columns), std::ofstream(path), 0};
   if (!csv.file) throw write_error(path, errno ? std::generic_category().message(errno) : "cannot be opened");
   add_line(csv, header);
+  return csv;
+}
+
+/// Goes on with a table whose rows so far are `values`, one row after another: replaces whatever is at `path` by them,
+/// at once, and adds rows after them. Throws SetupError as open_csv() does or if the last row is not whole, WriteError
+/// if the file cannot be written.
+inline CsvWriter continue_csv(const std::filesystem::path &path, std::vector<std::string> columns,
+                              std::span<const double> values) {
+  std::string text = csv_header(path, columns) + '\n';
+  require(values.size() % columns.size() == 0, path.string() + " values so far", values.size(),
+          "must be a multiple of the number of columns, " + std::to_string(columns.size()));
+  for (; !values.empty(); values = values.subspan(columns.size()))
+    text += csv_line(values.first(columns.size())) + '\n';
+  write_atomically(path, text);
+  errno = 0;
+  CsvWriter csv{path, std::move(columns), std::ofstream(path, std::ios::app), text.size()};
+  if (!csv.file) throw write_error(path, errno ? std::generic_category().message(errno) : "cannot be opened");
   return csv;
 }
 
@@ -54,13 +102,7 @@ inline CsvWriter open_csv(const std::filesystem::path &path, std::vector<std::st
 inline void add_row(CsvWriter &csv, std::span<const double> values) {
   require(values.size() == csv.columns.size(), csv.path.string() + " values in a row", values.size(),
           "must be as many as there are columns, " + std::to_string(csv.columns.size()));
-  std::string line;
-  char digits[32];
-  for (const double value : values) {
-    if (!line.empty()) line += ',';
-    line.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-  }
-  add_line(csv, line);
+  add_line(csv, csv_line(values));
 }
 
 /// `add_row(csv, {1.0, 2.0})`.

@@ -34,6 +34,16 @@ template <class T> struct Flight {
   std::optional<T> velocity_at_tail;     ///< sharp noses: when the tail left the rear face, m/s
 };
 
+/// Calls `f(value)` for each value of a sample: the list that checkpoints write and read.
+template <class T, class F> void for_each_field(FlightSample<T> &s, F &&f) {
+  f(s.time), f(s.velocity), f(s.nose), f(s.shoulder), f(s.tail);
+}
+
+/// Calls `f(value)` for each value of a flight that start_flight() does not give.
+template <class T, class F> void for_each_field(Flight<T> &flight, F &&f) {
+  f(flight.samples), f(flight.state), f(flight.velocity_at_shoulder), f(flight.velocity_at_tail);
+}
+
 /// Starts the record of a shot.
 template <class T> Flight<T> start_flight(const PerforationCase<T> &c) {
   Flight<T> flight;

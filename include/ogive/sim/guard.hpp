@@ -1,9 +1,10 @@
 #pragma once
 
+#include "ogive/contact/search.hpp"
 #include "ogive/fem/hex_force.hpp"
-#include "ogive/sim/energy.hpp"
 #include "ogive/sim/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -13,26 +14,46 @@ namespace ogive {
 
 /// What went wrong in the loop, where and when.
 struct Fault {
-  std::string what; ///< one line
+  std::string what; ///< one line, with the values
   std::string body;
   Index id = -1; ///< node, particle or hex of the body; -1: none in particular
   double time_us = 0;
 };
 
-/// The first node with a velocity or position that is not a finite number, if any.
-template <class T, class... Bodies> std::optional<Fault> find_not_finite(const Model<T, Bodies...> &model) {
-  const auto finite = [&](Index n) {
-    return model.nodes.position[n].allFinite() && model.nodes.velocity[n].allFinite();
-  };
-  const Index first =
-      parallel_min(model.nodes.size(), model.nodes.size(), [&](Index n) { return finite(n) ? model.nodes.size() : n; });
-  if (first == model.nodes.size()) return std::nullopt;
-  Fault fault{"position or velocity is not a finite number", "nodes", first, double(model.time) * 1e6};
+/// "(1, 2, 3) mm"
+template <class T> std::string in_mm(const Vec3<T> &x) {
+  std::ostringstream text;
+  text << "(" << 1e3 * double(x[0]) << ", " << 1e3 * double(x[1]) << ", " << 1e3 * double(x[2]) << ") mm";
+  return text.str();
+}
+
+/// The fault of a node, with its body and its number there.
+template <class T, class... Bodies>
+Fault node_fault(const Model<T, Bodies...> &model, Index node, const std::string &what) {
+  Fault fault{what, "nodes", node, double(model.time) * 1e6};
   for_each_body(model, [&](const auto &body) {
-    if (first >= body.nodes.begin && first < body.nodes.end)
-      fault.body = body.name, fault.id = first - body.nodes.begin;
+    if (node >= body.nodes.begin && node < body.nodes.end) fault.body = body.name, fault.id = node - body.nodes.begin;
   });
   return fault;
+}
+
+/// The first node for which `is_bad(n)`, or -1.
+template <class T, class F> Index first_node(const Nodes<T> &nodes, F &&is_bad) {
+  const Index count = nodes.size();
+  const Index first = parallel_min(count, count, [&](Index n) { return is_bad(n) ? n : count; });
+  return first == count ? -1 : first;
+}
+
+/// The first node with a velocity or position that is not a finite number, if any.
+template <class T, class... Bodies> std::optional<Fault> find_not_finite(const Model<T, Bodies...> &model) {
+  const Nodes<T> &nodes = model.nodes;
+  const Index n =
+      first_node(nodes, [&](Index i) { return !nodes.position[i].allFinite() || !nodes.velocity[i].allFinite(); });
+  if (n < 0) return std::nullopt;
+  std::ostringstream what;
+  what << "position or velocity is not a finite number: " << in_mm(nodes.position[n]) << ", ("
+       << nodes.velocity[n].transpose() << ") m/s";
+  return node_fault(model, n, what.str());
 }
 
 /// A hex without volume, if any.
@@ -40,10 +61,59 @@ template <class T, class... Bodies> std::optional<Fault> find_inverted(const Mod
   std::optional<Fault> fault;
   for_each_body(model, [&](const auto &body) {
     if constexpr (requires { body.hexes; })
-      if (const Index hex = first_inverted(body, model.nodes); hex >= 0 && !fault)
-        fault = Fault{"a hex has no volume left", body.name, hex, double(model.time) * 1e6};
+      if (const Index hex = first_inverted(body, model.nodes); hex >= 0 && !fault) {
+        const auto x = gather_corners(model.nodes.position, body.hexes[hex]);
+        std::ostringstream what;
+        what << "a hex has no volume left: " << 1e9 * double(hex_volume<T>(x)) << " mm3 at "
+             << in_mm<T>(x.colwise().mean().transpose());
+        fault = Fault{what.str(), body.name, hex, double(model.time) * 1e6};
+      }
   });
   return fault;
+}
+
+/// A slave that contact has lost behind its surface, if any: a particle through the projectile.
+template <class T, class... Bodies> std::optional<Fault> find_lost(const Model<T, Bodies...> &model) {
+  for (const auto &contact : model.contacts) {
+    if (contact.lost < 0) continue;
+    const Index node = contact.slaves[contact.lost];
+    std::ostringstream what;
+    what << "lies more than " << 1e3 * double(contact.search_margin) << " mm behind the surface of the contact \""
+         << contact.name << "\", at " << in_mm(model.nodes.position[node]);
+    return node_fault(model, node, what.str());
+  }
+  return std::nullopt;
+}
+
+/// Where a model was at the start of a run, and how fast.
+template <class T> struct Start {
+  Vec3<T> middle = Vec3<T>::Zero(); ///< m, of the box around all nodes
+  T width{};                        ///< m, diagonal of that box
+  T speed{};                        ///< m/s, of the fastest node
+};
+
+/// Where the model is now.
+template <class T, class... Bodies> Start<T> start_of(const Model<T, Bodies...> &model) {
+  Box<T> box;
+  T fastest{};
+  for (const Vec3<T> &x : model.nodes.position) extend(box, x);
+  for (const Vec3<T> &v : model.nodes.velocity) fastest = std::max(fastest, v.squaredNorm());
+  return {T(0.5) * (box.low + box.high), (box.high - box.low).norm(), std::sqrt(fastest)};
+}
+
+/// A node out of the domain, if any: farther from the middle than `ratio` times the first width and the way that the
+/// fastest node can have flown.
+template <class T, class... Bodies>
+std::optional<Fault> find_astray(const Model<T, Bodies...> &model, const Start<T> &start, T ratio) {
+  const T reach = ratio * (start.width + start.speed * model.time);
+  const Nodes<T> &nodes = model.nodes;
+  const Index n =
+      first_node(nodes, [&](Index i) { return (nodes.position[i] - start.middle).squaredNorm() > reach * reach; });
+  if (n < 0) return std::nullopt;
+  std::ostringstream what;
+  what << "is out of the domain, farther than " << 1e3 * double(reach) << " mm from its middle: at "
+       << in_mm(nodes.position[n]) << ", " << nodes.velocity[n].norm() << " m/s";
+  return node_fault(model, n, what.str());
 }
 
 } // namespace ogive

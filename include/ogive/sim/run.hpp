@@ -6,6 +6,7 @@
 #include "ogive/sim/step.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -18,13 +19,36 @@ template <class T> struct RunOptions {
   T end_time{};                       ///< s
   T observe_every = T(0.5e-6);        ///< s between calls of the observer
   int time_step_every = 10;           ///< steps between two looks at the stable time step
-  int check_every = 20;               ///< steps between two checks for NaN and inverted hexes
+  int check_every = 20;               ///< steps between two checks of positions, velocities, hexes and contacts
   T smallest_step_fraction = T(0.02); ///< of the first time step; below it the run stops
   T largest_energy_error = T(0.05);   ///< of the initial energy; beyond it the run stops
+  T domain_ratio = T(10);             ///< size of the domain, see find_astray(); the run stops when a node leaves it
 };
 
+/// Where the loop of run() stands between two steps: with the model, all that it needs to go on.
+template <class T> struct RunState {
+  T first_step{};              ///< s
+  T time_step{};               ///< s, of the step to come
+  T next_look{};               ///< s, time of the observer's next call
+  T initial_energy{};          ///< J
+  Start<T> start{};            ///< of the model
+  std::int64_t looked_at = -1; ///< the step of the observer's last call; -1: the run has not begun
+};
+
+/// Calls `f(name, value)` for each number of a run's state.
+template <class R, class F> void for_each_run_field(R &&run, F &&f) {
+  f("first step", run.first_step);
+  f("time step", run.time_step);
+  f("next look", run.next_look);
+  f("initial energy", run.initial_energy);
+  f("middle at the start", run.start.middle);
+  f("width at the start", run.start.width);
+  f("speed at the start", run.start.speed);
+  f("last look", run.looked_at);
+}
+
 /// How a run ended.
-enum class StopReason { end_time, observer, fault };
+enum class StopReason { end_time, observer, pause, fault };
 
 /// The end of a run.
 struct RunResult {
@@ -45,61 +69,102 @@ template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...>
   return dt;
 }
 
-/// Steps the model until `options.end_time` is reached. `observer(model, ledger)` (model const) is called at the start,
-/// every `observe_every` and at the end, after a fault too; if it returns false the run stops. Prints nothing and
-/// throws nothing of its own.
-template <class T, class... Bodies, class Observer>
-RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer &&observer) {
-  RunResult result;
-  const T first_step = stable_time_step(model), initial_energy = total(energy(model));
-  T dt = first_step, next_look = model.time + options.observe_every;
-  auto looked_at = model.steps;
-  const auto stop_at = [&](Fault fault) {
-    result = {StopReason::fault, std::move(fault)};
-    observer(std::as_const(model), energy(model));
-    return result;
-  };
-  if (const auto fault = find_not_finite(model)) return stop_at(*fault);
-  if (!observer(std::as_const(model), energy(model))) return {StopReason::observer, std::nullopt};
+/// The state of a run that begins with this model.
+template <class T, class... Bodies>
+RunState<T> begin_run(const Model<T, Bodies...> &model, const RunOptions<T> &options) {
+  const T dt = stable_time_step(model);
+  return {dt, dt, model.time + options.observe_every, total(energy(model)), start_of(model), -1};
+}
 
-  while (model.time < options.end_time * (T(1) - std::numeric_limits<T>::epsilon())) {
+/// What a look at all nodes, hexes and contacts finds, if anything.
+template <class T, class... Bodies>
+std::optional<Fault> find_fault(const Model<T, Bodies...> &model, const RunOptions<T> &options,
+                                const RunState<T> &state) {
+  if (auto fault = find_not_finite(model)) return fault;
+  if (auto fault = find_inverted(model)) return fault;
+  if (auto fault = find_lost(model)) return fault;
+  return find_astray(model, state.start, options.domain_ratio);
+}
+
+/// A collapse of the time step to come, if it has: what it comes from, if that can be seen.
+template <class T, class... Bodies>
+std::optional<Fault> find_small_step(const Model<T, Bodies...> &model, const RunOptions<T> &options,
+                                     const RunState<T> &state) {
+  if (state.time_step >= options.smallest_step_fraction * state.first_step) return std::nullopt;
+  if (auto fault = find_inverted(model)) return fault;
+  if (auto fault = find_not_finite(model)) return fault;
+  std::ostringstream what;
+  what << "the stable time step fell to " << state.time_step << " s, from " << state.first_step << " s";
+  return Fault{what.str(), "model", -1, double(model.time) * 1e6};
+}
+
+/// An energy error beyond the limit, if there is one, or the numbers that are not finite behind it.
+template <class T, class... Bodies>
+std::optional<Fault> find_energy_error(const Model<T, Bodies...> &model, const RunOptions<T> &options,
+                                       const RunState<T> &state, const Energy<T> &ledger) {
+  const T error = total(ledger) / state.initial_energy - T(1);
+  if (!(state.initial_energy > T(0)) || std::abs(error) <= options.largest_energy_error) return std::nullopt;
+  if (auto fault = find_not_finite(model)) return fault;
+  std::ostringstream what;
+  what << "the energy balance is off by " << double(error) * 100 << " %: " << total(ledger) << " J, from "
+       << state.initial_energy << " J";
+  return Fault{what.str(), "model", -1, double(model.time) * 1e6};
+}
+
+/// Steps the model until `options.end_time` is reached. `observer(model, ledger)` (model const) is called at the start,
+/// every `observe_every` and at the end, after a fault too; if it returns false the run stops. `pause(model, state)`
+/// (both const) is asked before every step and before the end; if it returns true the run pauses. A later call with the
+/// same `state` goes on from there as if there had been no pause; a new state begins a run. Prints nothing and throws
+/// nothing of its own.
+template <class T, class... Bodies, class Observer, class Pause>
+RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, RunState<T> &state, Observer &&observer,
+              Pause &&pause) {
+  const auto look = [&](const Energy<T> &ledger) {
+    state.looked_at = model.steps;
+    return observer(std::as_const(model), ledger);
+  };
+  const auto stop_at = [&](Fault fault) {
+    look(energy(model));
+    return RunResult{StopReason::fault, std::move(fault)};
+  };
+  if (state.looked_at < 0) {
+    state = begin_run(model, options);
+    if (auto fault = find_not_finite(model)) return stop_at(*fault);
+    if (!look(energy(model))) return {StopReason::observer, std::nullopt};
+  }
+  for (;;) {
     Lap lap(model.times);
+    if (pause(std::as_const(model), std::as_const(state))) return {StopReason::pause, std::nullopt};
+    lap(Phase::observer);
+    if (!(model.time < options.end_time * (T(1) - std::numeric_limits<T>::epsilon()))) break;
     if (model.steps % options.time_step_every == 0) {
-      dt = stable_time_step(model);
-      if (!(dt >= options.smallest_step_fraction * first_step)) {
-        if (const auto fault = find_inverted(model)) return stop_at(*fault);
-        if (const auto fault = find_not_finite(model)) return stop_at(*fault);
-        std::ostringstream what;
-        what << "the stable time step fell to " << dt << " s, from " << first_step << " s";
-        return stop_at({what.str(), "model", -1, double(model.time) * 1e6});
-      }
+      state.time_step = stable_time_step(model);
+      if (auto fault = find_small_step(model, options, state)) return stop_at(*fault);
     }
     lap(Phase::checks);
-    step(model, dt);
+    step(model, state.time_step);
     lap.restart();
-    if (model.steps % options.check_every == 0) {
-      if (const auto fault = find_not_finite(model)) return stop_at(*fault);
-      if (const auto fault = find_inverted(model)) return stop_at(*fault);
-    }
+    if (model.steps % options.check_every == 0)
+      if (auto fault = find_fault(model, options, state)) return stop_at(*fault);
     lap(Phase::checks);
-    if (model.time < next_look) continue;
-    next_look += options.observe_every;
-    looked_at = model.steps;
+    if (model.time < state.next_look) continue;
+    state.next_look += options.observe_every;
     const Energy<T> ledger = energy(model);
-    if (const T error = total(ledger) / initial_energy - T(1);
-        initial_energy > T(0) && !(std::abs(error) <= options.largest_energy_error)) {
-      if (const auto fault = find_not_finite(model)) return stop_at(*fault);
-      std::ostringstream what;
-      what << "the energy balance is off by " << double(error) * 100 << " %";
-      return stop_at({what.str(), "model", -1, double(model.time) * 1e6});
-    }
+    if (auto fault = find_energy_error(model, options, state, ledger)) return stop_at(*fault);
     lap(Phase::checks);
-    const bool goes_on = observer(std::as_const(model), ledger);
+    const bool goes_on = look(ledger);
     lap(Phase::observer);
     if (!goes_on) return {StopReason::observer, std::nullopt};
   }
-  if (looked_at != model.steps) observer(std::as_const(model), energy(model));
-  return result;
+  if (state.looked_at != model.steps) look(energy(model));
+  return {};
+}
+
+/// The same for a run that nothing pauses.
+template <class T, class... Bodies, class Observer>
+RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer &&observer) {
+  RunState<T> state;
+  return run(model, options, state, observer, [](const auto &, const auto &) { return false; });
 }
 
 } // namespace ogive

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "course.hpp"
+
+#include "ogive/io/checkpoint_file.hpp"
+#include "ogive/io/csv.hpp"
+#include "ogive/io/frame.hpp"
+#include "ogive/io/vtk_resume.hpp"
+
+namespace perforate {
+
+/// The files that grow during a run.
+struct Files {
+  ogive::CsvWriter history;
+  ogive::VtkSeries series;
+};
+
+/// Writes material.toml and case.toml and removes the results of an earlier run from the folder; its checkpoint gets
+/// another name, unless this run goes on from it. A material file that the user has there under that name is left as it
+/// is. Throws WriteError.
+void start_results(const Options &options, const material_file::AnyMetal &plate);
+
+/// Starts the files of a run or goes on with them where `course` says: later rows and frames are dropped. Throws
+/// WriteError.
+Files open_files(const Options &options, const Course &course);
+
+/// Writes a frame and notes its files in the course. Throws WriteError.
+void add_frame(Files &files, Course &course, const ogive::Frame &frame);
+
+/// Puts a shot and its course where they were in the notes of a checkpoint. Throws SetupError if they are damaged.
+void read_notes(const ogive::Checkpoint &checkpoint, Shot &shot, Course &course);
+
+/// The notes of a checkpoint at `time_us`.
+std::string notes_of(const Options &options, const material_file::AnyMetal &plate, Shot &shot, Course &course,
+                     double time_us);
+
+} // namespace perforate

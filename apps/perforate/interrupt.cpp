@@ -1,0 +1,41 @@
+#include "interrupt.hpp"
+
+namespace perforate {
+
+namespace {
+
+constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+
+// A handler can reach nothing else.
+volatile std::sig_atomic_t caught = 0;
+
+extern "C" void note_signal(int signal) {
+  if (caught == 0) caught = signal;
+}
+
+} // namespace
+
+SignalCatcher::SignalCatcher() {
+  caught = 0;
+  struct sigaction noting {};
+  noting.sa_handler = note_signal;
+  // A write that is under way goes on.
+  noting.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    ::sigaction(signals[k], nullptr, &before[k]);
+    // Programs in the background of a script and those that nohup starts are to go on.
+    if (before[k].sa_handler != SIG_IGN) ::sigaction(signals[k], &noting, nullptr);
+  }
+}
+
+SignalCatcher::~SignalCatcher() {
+  for (std::size_t k = 0; k < signals.size(); ++k) ::sigaction(signals[k], &before[k], nullptr);
+}
+
+int caught_signal() { return caught; }
+
+std::string signal_name(int signal) {
+  return signal == SIGINT ? "SIGINT" : signal == SIGTERM ? "SIGTERM" : signal == SIGHUP ? "SIGHUP" : "a signal";
+}
+
+} // namespace perforate

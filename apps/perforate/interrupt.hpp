@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <csignal>
+#include <string>
+
+namespace perforate {
+
+/// While it lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP are noted and nothing more, unless they were ignored before. The
+/// second one of a kind ends the program at once.
+class SignalCatcher {
+public:
+  SignalCatcher();
+  ~SignalCatcher();
+  SignalCatcher(const SignalCatcher &) = delete;
+  SignalCatcher &operator=(const SignalCatcher &) = delete;
+
+private:
+  std::array<struct sigaction, 3> before{};
+};
+
+/// The first signal that was caught; 0 if none was.
+int caught_signal();
+
+/// "SIGINT"
+std::string signal_name(int signal);
+
+} // namespace perforate

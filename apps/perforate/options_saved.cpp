@@ -1,0 +1,24 @@
+#include "saved_case.hpp"
+
+#include "ogive/io/archive.hpp"
+#include "ogive/io/checkpoint_file.hpp"
+
+#include <cmath>
+
+namespace perforate {
+
+SavedCase read_saved_case(const std::filesystem::path &file) {
+  const std::string notes = ogive::read_checkpoint_notes(file),
+                    name = "checkpoint = " + ogive::printable(file.string());
+  const auto foreign = [&]() { return ogive::SetupError(name + ": was not written by perforate"); };
+  SavedCase saved;
+  try {
+    ogive::ArchiveReader{notes, name}(saved);
+  } catch (const ogive::SetupError &) {
+    throw foreign();
+  }
+  if (saved.program != "perforate" || !std::isfinite(saved.time_us)) throw foreign();
+  return saved;
+}
+
+} // namespace perforate

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "ogive/sim/hash.hpp"
+#include "ogive/sim/state.hpp"
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace ogive {
+
+/// Collects what tells one model from another.
+struct Fingerprint {
+  std::uint64_t hash = hash_start;
+
+  void add(std::string_view text) { hash = hash_bytes(hash_word(text.size()), text); }
+  void add(std::integral auto whole) { hash = hash_word(static_cast<std::uint64_t>(whole)); }
+  /// Rounded, so that the last bits of another compiler or processor make no other model.
+  void add(std::floating_point auto number) {
+    const auto rounded = static_cast<float>(number);
+    hash = hash_word(rounded == rounded ? std::bit_cast<std::uint32_t>(rounded) : 0xffffffffU);
+  }
+  template <class E>
+  requires std::is_enum_v<E>
+  void add(E choice) { add(static_cast<int>(choice)); }
+  void add(SymmetryPlanes planes) { add(planes.x), add(planes.y); }
+  void add(NodeRange range) { add(range.begin), add(range.end); }
+  template <class V, std::size_t n> void add(const std::array<V, n> &values) {
+    for (const V &value : values) add(value);
+  }
+  template <class V> void add(const std::vector<V> &values) {
+    add(values.size());
+    for (const V &value : values) add(value);
+  }
+
+private:
+  std::uint64_t hash_word(std::uint64_t word) const {
+    return hash_bytes(hash, {reinterpret_cast<const char *>(&word), sizeof word});
+  }
+};
+
+/// Adds all constants of a metal; the flow law, of whatever kind, by stresses that it gives.
+template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, Law> &m) {
+  for (const T number :
+       {m.density, m.elasticity.young, m.elasticity.poisson, m.eos.hugoniot_slope, m.eos.gruneisen, m.specific_heat,
+        m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor, m.damage.critical_work})
+    print.add(number);
+  const FailureStrain<T> &f = m.damage.failure_strain;
+  for (const T number : {f.D1, f.D2, f.D3, f.D4, f.D5, f.reference_rate}) print.add(number);
+  print.add(m.eos.law), print.add(m.damage.law), print.add(m.damage.effect);
+  for (const T strain : {T(0), T(0.01), T(0.3)})
+    for (const T rate : {m.rate_floor, T(1e3) * m.rate_floor})
+      for (const T heat : {T(0), T(0.3)})
+        print.add(
+            flow_stress(m.flow, strain, rate, m.room_temperature + heat * (m.melting_temperature - m.room_temperature))
+                .value);
+}
+
+/// Adds what a body is made of.
+template <class Body> void add_body(Fingerprint &print, const Body &body) {
+  print.add(body.name), print.add(body.nodes), print.add(body.point_mass);
+  add_metal(print, body.metal);
+  const auto &o = body.options;
+  if constexpr (requires { body.hexes; }) {
+    print.add(body.hexes), print.add(body.points.size());
+    for (const auto number :
+         {o.hourglass_stiffness, o.hourglass_viscosity, o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
+      print.add(number);
+  } else {
+    print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing),
+        print.add(Body::Form::corrected);
+    for (const auto number : {o.smoothing_ratio, o.linear_viscosity, o.quadratic_viscosity, o.skin_ratio, o.courant})
+      print.add(number);
+    for (const double u : {0.3, 0.9, 1.6}) print.add(Body::Kernel::norm * Body::Kernel::shape(u));
+  }
+}
+
+/// Adds slaves, masters and options of a contact.
+template <class T> void add_contact(Fingerprint &print, const NodeToSurface<T> &contact) {
+  print.add(contact.name), print.add(contact.symmetry), print.add(contact.slaves), print.add(contact.offset);
+  print.add(contact.search_margin), print.add(contact.master_mass), print.add(contact.facets.size());
+  for (const Facet &facet : contact.facets) print.add(facet.nodes);
+  const ContactOptions<T> &o = contact.options;
+  print.add(o.friction), print.add(o.stiffness), print.add(o.sticking), print.add(o.rigid_masters);
+}
+
+/// Hash of all that stays as it is during a run, and of the list of what does not: equal for models that one checkpoint
+/// fits. The state, such as positions and velocities, does not enter.
+template <class T, class... Bodies> std::uint64_t fingerprint(const Model<T, Bodies...> &model) {
+  Fingerprint print;
+  print.add(model.nodes.size()), print.add(model.nodes.held), print.add(model.symmetry);
+  for_each_body(model, [&](const auto &body) { add_body(print, body); });
+  for (const auto &contact : model.contacts) add_contact(print, contact);
+  for (const auto &tie : model.ties)
+    for (const auto &t : tie.nodes) {
+      print.add(t.slave), print.add(t.masters);
+      // Beside 1, so that the round-off of a weight of zero does not count.
+      for (const T weight : t.weights) print.add(T(1) + weight);
+    }
+  for (const RigidPart &part : model.rigid_parts) print.add(part.nodes);
+  const RunState<T> run;
+  for_each_state_field(model, run, [&](const std::string &name, const auto &) { print.add(name); });
+  return print.hash;
+}
+
+} // namespace ogive

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "ogive/contact/search.hpp"
+#include "ogive/sim/model.hpp"
+#include "ogive/sim/run.hpp"
+#include "ogive/sph/body.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ogive {
+
+/// An array that has `full` entries, or none before the first step.
+template <class Values> struct FullOrEmpty {
+  Values &values;
+  std::size_t full;
+};
+
+template <class Values> FullOrEmpty(Values &, std::size_t) -> FullOrEmpty<Values>;
+
+/// Calls `f(name, value)` for all that a run changes and needs to go on to the same bits: the one list that checkpoints
+/// write and read. A value is a number, a vector of fixed length, an array whose length the model gives, or
+/// FullOrEmpty. What a step makes anew is left out, and so are lists that `renew_lists` makes from what is here.
+template <class M, class R, class F> void for_each_state_field(M &model, R &run, F &&f) {
+  f("time", model.time);
+  f("steps", model.steps);
+  f("last step", model.last_step);
+  f("last kick", model.last_kick);
+  f("support impulse", model.support_impulse);
+  f("wall times", model.times.seconds);
+  for_each_run_field(run, f);
+
+  const std::size_t nodes = model.nodes.position.size();
+  for_each_node_field(model.nodes, [&](const char *name, const char *, auto &values) { f(name, values); });
+  f("force", model.nodes.force);
+  for_each_body(model, [&](auto &body) {
+    const auto field = [&](const char *name, auto &values) { f(body.name + " " + name, values); };
+    const auto named = [&](const char *name, const char *, auto &values) { field(name, values); };
+    field("velocity_gradient", body.points.velocity_gradient);
+    for_each_point_field(body.points, named);
+    // Not part of the state, but a point that is known to be elastic goes another way, with other last bits.
+    field("yield", body.points.yield);
+    field("yield_strain", body.points.yield_strain);
+    field("yield_temperature", body.points.yield_temperature);
+    if constexpr (requires { body.hexes; }) {
+      for_each_hex_field(body, named);
+    } else {
+      field("viscous_energy", body.viscous_energy);
+      field("support of the lists", body.neighbours.support);
+      FullOrEmpty built_at{body.neighbours.built_at, body.point_mass.size()};
+      field("positions of the lists", built_at);
+    }
+  });
+  for (auto &contact : model.contacts) {
+    const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
+    field("slave_mass", contact.slave_mass);
+    field("reference_time_step", contact.reference_time_step);
+    field("forces", contact.forces);
+    field("normal_energy", contact.normal_energy);
+    field("friction_energy", contact.friction_energy);
+    field("lost", contact.lost);
+    FullOrEmpty searched_at{contact.searched_at, nodes};
+    field("positions of the search", searched_at);
+  }
+}
+
+/// Makes the neighbour lists and the candidates of contacts anew, from the positions that they were made from: the same
+/// lists to the last entry, so that all sums have the same order.
+template <class T, class... Bodies> void renew_lists(Model<T, Bodies...> &model) {
+  for_each_body(model, [](auto &body) {
+    if constexpr (requires { body.neighbours; })
+      if (const std::vector<Vec3<T>> built_at = body.neighbours.built_at; !built_at.empty())
+        build_lists(body, std::span<const Vec3<T>>(built_at), body.neighbours.support);
+  });
+  for (auto &contact : model.contacts) {
+    if (contact.searched_at.empty()) continue;
+    Nodes<T> then;
+    then.position = contact.searched_at;
+    search(contact, then);
+  }
+}
+
+} // namespace ogive

@@ -1,0 +1,103 @@
+#include "apps/parse.hpp"
+#include "catch.hpp"
+#include "io/temporary_folder.hpp"
+
+#include "ogive/io/archive.hpp"
+#include "ogive/io/checkpoint_file.hpp"
+#include "perforate/options_material.hpp"
+#include "perforate/saved_case.hpp"
+
+#include <random>
+
+using perforate::Options;
+using perforate::SavedCase;
+
+namespace {
+
+/// Writes a checkpoint of these options without a state, and returns its name.
+std::string write_checkpoint_of(const std::filesystem::path &folder, const Options &options,
+                                const std::string &program = "perforate") {
+  ogive::ArchiveWriter notes;
+  const auto metal = perforate::read_metal(options, "--material");
+  notes(SavedCase{program, "0.1.0", perforate::to_complete_toml(options), material_file::to_toml(metal, ""), 12.5});
+  const auto file = folder / "checkpoint.bin";
+  ogive::write_checkpoint_file(file, 8, notes.bytes, {});
+  return file.string();
+}
+
+} // namespace
+
+TEST_CASE("a run that goes on has the options of its checkpoint and the folder that it lies in") {
+  const TemporaryFolder folder;
+  Options o = options_of({"--nose", "conical", "--model", "jc", "--damage", "jc", "--velocity-mps", "214.1",
+                          "--threads", "3", "--end-us", "70", "--no-picture", "--out", "elsewhere"});
+  const std::string file = write_checkpoint_of(folder.path, o);
+  Options restarted = options_of({"--restart", file.c_str()});
+  REQUIRE(restarted.restart);
+  CHECK(restarted.restart->file == file);
+  CHECK(restarted.restart->time_us == 12.5);
+  CHECK(restarted.out == folder.path);
+  restarted.restart.reset();
+  restarted.out = o.out;
+  CHECK(restarted == o);
+}
+
+TEST_CASE("what leaves the physics as it is may be changed, nothing else") {
+  const TemporaryFolder folder;
+  const std::string file = write_checkpoint_of(folder.path, Options{});
+  const Options o = options_of({"--restart", file.c_str(), "--end-us", "900", "--out", "here", "--output-every-us", "1",
+                                "--checkpoint-every-us", "2", "--no-vtk", "--no-picture", "--quiet", "--threads", "2"});
+  CHECK(o.end_us == 900);
+  CHECK(o.out == "here");
+  CHECK(o.output_every_us == 1);
+  CHECK(o.checkpoint_every_us == 2);
+  CHECK_FALSE(o.vtk);
+  CHECK_FALSE(o.picture);
+  CHECK(o.quiet);
+  CHECK(o.threads == 2);
+  for (const std::vector<const char *> &given : std::vector<std::vector<const char *>>{
+           {"--thickness-mm", "8"}, {"--velocity-mps", "303.5"}, {"--material", "list2"}, {"--spacing-mm", "1"}}) {
+    std::vector<const char *> arguments{"--restart", file.c_str()};
+    arguments.insert(arguments.end(), given.begin(), given.end());
+    CHECK(refusal(arguments) == std::string(given[0]) + " = " + given[1] +
+                                    ": the case is that of --restart; what may be given is --end-us, --out, "
+                                    "--output-every-us, --checkpoint-every-us, --vtk, --picture, --quiet, --threads");
+  }
+  CHECK(refusal({"--restart", file.c_str(), "--end-us", "12"}) ==
+        "--end-us = 12: must not lie before the time of the checkpoint, 12.5 us");
+  CHECK_THAT(refusal({"--restart", file.c_str(), "--threads", "0"}),
+             Catch::StartsWith("--threads = 0: must be a whole"));
+}
+
+TEST_CASE("a metal from a file travels in the checkpoint") {
+  const TemporaryFolder folder;
+  const std::string steel = (folder.path / "my steel.toml").string();
+  write(steel, material_file::to_toml(perforate::read_metal(Options{}, ""), ""));
+  const Options o = options_of({"--material", steel.c_str()});
+  const std::string file = write_checkpoint_of(folder.path, o);
+  const auto before = material_file::to_toml(perforate::plate_of(o), "");
+  std::filesystem::remove(steel);
+  const Options restarted = options_of({"--restart", file.c_str()});
+  CHECK(restarted.material == steel);
+  CHECK(material_file::to_toml(perforate::plate_of(restarted), "") == before);
+}
+
+TEST_CASE("checkpoints of others and damaged ones are refused with one line") {
+  const TemporaryFolder folder;
+  const std::string file = write_checkpoint_of(folder.path, Options{}, "another");
+  CHECK(refusal({"--restart", file.c_str()}) == "checkpoint = " + file + ": was not written by perforate");
+  ogive::write_checkpoint_file(file, 8, "notes", {});
+  CHECK(refusal({"--restart", file.c_str()}) == "checkpoint = " + file + ": was not written by perforate");
+
+  write_checkpoint_of(folder.path, Options{});
+  const std::string good = ogive::read_checkpoint_notes(file);
+  std::mt19937 random(5);
+  for (int k = 0; k < 300; ++k) {
+    std::string notes = good;
+    for (int n = 0; n < 3; ++n) notes[random() % notes.size()] = static_cast<char>(random());
+    ogive::write_checkpoint_file(file, 8, notes, {});
+    // Some digits make another case, all else is refused.
+    const std::string message = refusal({"--restart", file.c_str()});
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}

@@ -1,0 +1,152 @@
+#include "catch.hpp"
+#include "io/temporary_folder.hpp"
+#include "sim/small_shot.hpp"
+
+#include "ogive/io/checkpoint.hpp"
+#include "ogive/perforation/shape.hpp"
+
+#include <omp.h>
+
+using namespace sim_test;
+
+namespace {
+
+constexpr double end_time = 12e-6;
+
+/// What a run's observer has seen.
+struct Seen {
+  std::vector<double> numbers;
+  bool operator==(const Seen &) const = default;
+};
+
+template <class M> auto observer_into(Seen &seen) {
+  return [&](const M &model, const Energy<double> &e) {
+    for (const double number :
+         {model.time, double(model.steps), e.kinetic, e.elastic, e.plastic, e.hourglass, e.viscous, e.contact,
+          e.friction, model.support_impulse[2], find_fragments(model).plug_mass})
+      seen.numbers.push_back(number);
+    return true;
+  };
+}
+
+const RunOptions<double> options{.end_time = end_time};
+
+/// All bytes of the state but the wall times.
+template <class M> std::string state_bytes(const M &model, const RunState<double> &run) {
+  checkpoint_detail::StateWriter writer;
+  for_each_state_field(model, run, writer);
+  std::string bytes;
+  for (const auto piece : writer.pieces)
+    if (piece.size() != sizeof model.times.seconds) bytes += piece;
+  return bytes;
+}
+
+/// Runs a model, stops it for a checkpoint at each of `stops` (steps) and goes on in a model built anew, with another
+/// number of threads; compares with a run that never stopped.
+template <class Make> void compare(Make &&make, const std::vector<std::int64_t> &stops) {
+  using M = decltype(make());
+  const TemporaryFolder folder;
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(2);
+  auto whole = make();
+  const auto first_lists = disc_positions(whole);
+  RunState<double> whole_run;
+  Seen seen, seen_whole;
+  run(whole, options, whole_run, observer_into<M>(seen_whole), [](const auto &, const auto &) { return false; });
+  REQUIRE(whole.steps > stops.back() + 5);
+
+  auto model = make();
+  RunState<double> state;
+  int number = 1;
+  for (const std::int64_t stop : stops) {
+    omp_set_num_threads(number++ % 4 + 1);
+    const auto result = run(model, options, state, observer_into<M>(seen),
+                            [&](const auto &m, const auto &) { return m.steps == stop; });
+    REQUIRE(result.reason == StopReason::pause);
+    REQUIRE(model.steps == stop);
+    write_checkpoint(folder.path / "c", model, state, "notes");
+    auto fresh = make();
+    RunState<double> fresh_state;
+    const Checkpoint checkpoint = read_checkpoint(folder.path / "c");
+    CHECK(checkpoint.notes == "notes");
+    restore(checkpoint, fresh, fresh_state);
+    CHECK(state_bytes(fresh, fresh_state) == state_bytes(model, state));
+    CHECK(disc(fresh).neighbours.list == disc(model).neighbours.list);
+    CHECK(fresh.contacts[0].candidates == model.contacts[0].candidates);
+    CHECK(fresh.contacts[0].active == model.contacts[0].active);
+    CHECK(total(energy(fresh)) == total(energy(model)));
+    model = std::move(fresh), state = fresh_state;
+  }
+  omp_set_num_threads(threads);
+  const auto result =
+      run(model, options, state, observer_into<M>(seen), [](const auto &, const auto &) { return false; });
+  CHECK(result.reason == StopReason::end_time);
+  CHECK(state_hash(model) == state_hash(whole));
+  CHECK(state_bytes(model, state) == state_bytes(whole, whole_run));
+  CHECK(seen == seen_whole);
+  CHECK(total(energy(model)) == total(energy(whole)));
+
+  // The features are there: otherwise this would prove little.
+  Index failed = 0;
+  for (Index i = 0; i < disc(whole).points.size(); ++i)
+    failed += is_failed(disc(whole).metal.damage, disc(whole).points.damage[i]);
+  CHECK(failed > 3);
+  CHECK(energy(whole).friction > 0);
+  CHECK(disc(whole).neighbours.built_at != first_lists);
+  CHECK(disc(whole).neighbours.images.size() > 20);
+}
+
+} // namespace
+
+TEST_CASE("a restarted shot ends with the bits of one that never stopped", "[sim]") {
+  // At the start, one step later, between the looks at time step and state, right at and after them.
+  SECTION("one point in each hex, deformable projectile, removal") {
+    compare([] { return full_shot<OnePoint>(FailureEffect::removal, false); }, {0, 1, 7, 20, 23, 61, 100});
+  }
+  SECTION("selective reduced hexes, rigid projectile, no tension") {
+    compare([] { return full_shot<SelectiveReduced>(FailureEffect::no_tension, true); }, {3, 33, 59});
+  }
+  SECTION("standard form, blunt nose, removal") {
+    compare([] { return full_shot<OnePoint, StandardForm>(FailureEffect::removal, false, Nose::blunt); }, {2, 91});
+  }
+}
+
+TEST_CASE("a run that is paused in memory goes on as if there had been no pause", "[sim]") {
+  auto whole = full_shot<OnePoint>(FailureEffect::removal, true), model = whole;
+  using M = decltype(whole);
+  Seen seen, seen_whole;
+  run(whole, options, observer_into<M>(seen_whole));
+  RunState<double> state;
+  int pauses = 0;
+  for (;; ++pauses) {
+    bool first = true; // one step after each pause
+    const auto result = run(model, options, state, observer_into<M>(seen),
+                            [&](const auto &, const auto &) { return !std::exchange(first, false); });
+    if (result.reason == StopReason::end_time) break;
+    REQUIRE(result.reason == StopReason::pause);
+  }
+  CHECK(pauses == whole.steps);
+  CHECK(state_hash(model) == state_hash(whole));
+  CHECK(seen == seen_whole);
+}
+
+TEST_CASE("a run goes on beyond the end that it was given first", "[sim]") {
+  const TemporaryFolder folder;
+  auto whole = full_shot<OnePoint>(FailureEffect::removal, true), model = whole;
+  const auto fresh = whole;
+  run(whole, options, [](const auto &, const auto &) { return true; });
+  RunState<double> state;
+  const auto save_at_end = [&](const auto &m, const auto &s) {
+    if (m.time >= 5e-6) write_checkpoint(folder.path / "end", m, s);
+    return false;
+  };
+  run(
+      model, RunOptions<double>{.end_time = 5e-6}, state, [](const auto &, const auto &) { return true; }, save_at_end);
+  model = fresh;
+  restore(read_checkpoint(folder.path / "end"), model, state);
+  CHECK(model.time >= 5e-6);
+  run(
+      model, options, state, [](const auto &, const auto &) { return true; },
+      [](const auto &, const auto &) { return false; });
+  CHECK(state_hash(model) == state_hash(whole));
+}
