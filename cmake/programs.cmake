@@ -12,6 +12,9 @@ target_compile_options(
             # GCC 12 warns of its own AVX-512 intrinsics (GCC bug 105593).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+            $<$<BOOL:${OGIVE_WARNINGS_AS_ERRORS}>:-Wpedantic;-Wshadow;-Wconversion;-Werror>
+            # Indices have a sign. GCC counts that apart from -Wconversion.
+            $<$<AND:$<BOOL:${OGIVE_WARNINGS_AS_ERRORS}>,$<CXX_COMPILER_ID:Clang>>:-Wno-sign-conversion>
             $<$<BOOL:${OGIVE_NATIVE}>:-march=native>
             $<$<BOOL:${OGIVE_VECTOR_WIDTH}>:-mprefer-vector-width=${OGIVE_VECTOR_WIDTH}>)
 

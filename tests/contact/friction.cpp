@@ -1,34 +1,12 @@
-#include "box.hpp"
 #include "catch.hpp"
+#include "contact/sledge.hpp"
 
 using namespace contact_test;
-using fem_test::brick, fem_test::Noise;
+using fem_test::Noise;
 
 namespace {
 
-constexpr double dt = 1e-7, gravity = 1e7, mu = 0.2, mass = 1e-4, offset = 0.5e-3;
-
-/// Four masses that lie on a fixed slab, pressed down by `gravity` and pulled along x with `pull` (N each).
-struct Sledge {
-  Nodes<double> nodes;
-  NodeToSurface<double> contact;
-  NodeRange slab, runners;
-
-  explicit Sledge(double friction) {
-    const Surface s = add_surface(nodes, brick<double>(6, 3, 1, V(6e-3, 3e-3, 1e-3)));
-    slab = s.nodes;
-    // The penalty spring k = 0.1 m/dt^2 carries the weight at the depth 10 g dt^2.
-    const double z = 1e-3 + offset - 10 * gravity * dt * dt;
-    runners = add_free(nodes, {V(1e-3, 1e-3, z), V(2e-3, 1e-3, z), V(1e-3, 2e-3, z), V(2e-3, 2e-3, z)}, mass);
-    contact = contact_of(nodes, runners, offset, s.facets, {.friction = friction});
-  }
-  void advance(double pull) {
-    clear(nodes);
-    for (Index n = runners.begin; n < runners.end; ++n) nodes.force[n] = V(pull, 0, -mass * gravity);
-    add_contact_force(contact, nodes, dt, dt);
-    move(nodes, runners, dt);
-  }
-};
+constexpr double dt = 1e-7, mu = 0.2, gravity = Sledge::gravity, mass = Sledge::mass, offset = Sledge::offset;
 
 } // namespace
 

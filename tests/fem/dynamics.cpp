@@ -1,5 +1,5 @@
-#include "brick.hpp"
 #include "catch.hpp"
+#include "fem/beam.hpp"
 
 #include <numbers>
 
@@ -33,27 +33,17 @@ TEST_CASE("an elastic wave in a laterally held bar travels at the longitudinal s
 
 namespace {
 
-/// Half a period of a clamped-free bar over that of a thin beam (Euler), from the first mode's velocities. The bar has
-/// 4 layers of hexes through its height (x), 2 across and `count` along z.
+/// Half a period of a clamped-free bar over that of a thin beam (Euler). The bar has 4 layers of hexes through its
+/// height, 2 across and `count` along.
 double half_period_ratio(double length, double height, Index count) {
-  auto s = solid<OnePoint>(brick<double>(4, 2, count, V(height, height, length)));
-  for (Index n = 0; n < 5 * 3; ++n) s.nodes.held[n] = held_all;
-  // First mode: beta L = 1.875104.
-  const double k = 1.875104 / length, ratio = 0.734096;
-  for (Index n = 0; n < s.nodes.size(); ++n) {
-    const double z = k * s.nodes.position[n][2];
-    s.nodes.velocity[n][0] = 0.05 * (std::cosh(z) - std::cos(z) - ratio * (std::sinh(z) - std::sin(z)));
-  }
-  const auto &metal = s.body.metal;
-  const double omega = k * k * std::sqrt(metal.elasticity.young * height * height / (12 * metal.density));
-  const double expected = std::numbers::pi / omega, dt = stable_time_step(s.body, s.nodes);
-  const double tip = s.nodes.position.back()[0];
-  double time = 0;
-  do {
-    step(s, dt);
-    time += dt;
-  } while (s.nodes.position.back()[0] > tip && time < 2 * expected);
-  return time / expected;
+  const Beam beam{length, height, height, count, 4, 2};
+  auto s = clamped_beam<OnePoint>(beam);
+  const double expected = std::numbers::pi / euler_frequency(beam, s.body.metal);
+  const double dt = stable_time_step(s.body, s.nodes);
+  return half_period(
+             s.nodes, 0, 0.05, 2 * expected, [&](const V &p) { return first_mode(p[2], length); },
+             [&] { return step(s, dt), dt; }) /
+         expected;
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "catch.hpp"
+#include "sph/block.hpp"
 
 #include "ogive/material/library.hpp"
 #include "ogive/material/stress_update.hpp"
@@ -10,33 +11,7 @@
 #include <random>
 #include <set>
 
-using namespace ogive;
-
-namespace {
-
-/// A block of particles with distance 1 mm, each displaced at random by up to `jitter` distances.
-ParticleLayout<double> block(int nx, int ny, int nz, double jitter, double spacing = 1e-3) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> shift(-jitter * spacing, jitter * spacing);
-  ParticleLayout<double> layout;
-  layout.spacing = spacing;
-  for (int k = 0; k < nz; ++k)
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i) {
-        layout.positions.push_back({(i + 0.5) * spacing + shift(random), (j + 0.5) * spacing + shift(random),
-                                    (k + 0.5) * spacing + shift(random)});
-        layout.volumes.push_back(spacing * spacing * spacing);
-      }
-  return layout;
-}
-
-Mat3<double> some_gradient() {
-  Mat3<double> L;
-  L << 100, 250, -80, -30, 60, 20, 45, -15, -90;
-  return L;
-}
-
-} // namespace
+using namespace sph_test;
 
 TEMPLATE_TEST_CASE("kernels integrate to one and have the gradient of their value", "[sph]", CubicSpline, WendlandC2) {
   const double h = 1.3;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 #if defined(__AVX__)
 #include <immintrin.h>
@@ -36,6 +37,9 @@ template <class T> struct Pack {
 
   Pack() : v{} {}
   Pack(T same) : v(same - Register{}) {}
+  /// A constant of another type, taken as T(constant) takes it.
+  template <class U>
+  requires(std::is_arithmetic_v<U> && !std::same_as<U, T>) explicit Pack(U same) : Pack(static_cast<T>(same)) {}
 
   Pack &operator+=(Pack o) { return v += o.v, *this; }
   Pack &operator-=(Pack o) { return v -= o.v, *this; }
@@ -204,13 +208,6 @@ template <class T> struct Eigen::NumTraits<ogive::Pack<T>> : Eigen::GenericNumTr
   using NonInteger = ogive::Pack<T>;
   using Nested = ogive::Pack<T>;
   using Literal = T;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 0,
-    ReadCost = 1,
-    AddCost = 1,
-    MulCost = 1
-  };
+  static constexpr int IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0;
+  static constexpr int ReadCost = 1, AddCost = 1, MulCost = 1;
 };

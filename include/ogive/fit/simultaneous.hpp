@@ -78,6 +78,7 @@ inline Calibration simultaneously_calibrated(const TestSeries &s, const FlowChoi
     // Noise-free curves leave round-off only.
     scale = std::max(robust_scale(errors), 1e-9);
     std::vector<double> weight;
+    weight.reserve(all.size());
     for (std::size_t k = 0; k < all.size(); ++k)
       weight.push_back(std::sqrt(huber_weight(errors[k], scale) * all[k].share));
     const auto residual = [&](const Eigen::VectorXd &y) {

@@ -61,6 +61,7 @@ inline std::vector<StrainBin> rate_bins(const TestSeries &s, const Calibration &
       xy += equations.back().x * equations.back().y, xz += equations.back().x * equations.back().z;
     }
     std::vector<double> scores;
+    scores.reserve(equations.size());
     for (const auto &e : equations) scores.push_back(e.x * (e.y - xy / xz * e.z));
     bins.push_back({middle(key.second), xy / xz, error_of(scores, xz), static_cast<int>(points.size())});
   }

@@ -113,7 +113,7 @@ inline void assign_hardenings(TestSeries &series) {
     c.hardening = own == 1 ? 0 : static_cast<std::size_t>(found - names.begin());
     series.pooled = series.pooled || c.hardening == own;
   }
-  if (series.pooled) names.push_back(all_plates);
+  if (series.pooled) names.emplace_back(all_plates);
 }
 
 inline void note_extrapolation(TestSeries &series) {

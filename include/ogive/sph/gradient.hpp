@@ -33,6 +33,15 @@ template <class T, class Law, class K, class F> T smoothing_length(const SphBody
   return h0 * std::min(std::cbrt(body.metal.density / body.points.density[i]), T(1.3));
 }
 
+/// Builds the neighbour lists for particles at `x` (m), complete within `support` (m), and makes room for pair data.
+template <class T, class Law, class K, class F>
+void build_lists(SphBody<T, Law, K, F> &body, std::span<const Vec3<T>> x, T support) {
+  build_neighbours(body.neighbours, x, body.symmetry, support, body.options.skin_ratio * body.spacing);
+  resize(body.pair_data, body.neighbours.order.size() + body.neighbours.images.size());
+  if constexpr (F::corrected)
+    for (auto &B : body.pair_data.correction) B.resize(body.neighbours.order.size());
+}
+
 /// Brings neighbour lists and pair data up to date with the nodes.
 template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, F> &body, const Nodes<T> &nodes) {
   const Index n = body.points.size();
@@ -41,12 +50,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
   T h = reference_smoothing_length(body);
   if (body.options.variable_smoothing) h = parallel_max(n, h, [&](Index i) { return smoothing_length(body, i); });
   const T support = T(kernel_support) * h;
-  if (are_stale(body.neighbours, x, body.symmetry, support)) {
-    build_neighbours(body.neighbours, x, body.symmetry, support, body.options.skin_ratio * body.spacing);
-    resize(body.pair_data, body.neighbours.order.size() + body.neighbours.images.size());
-    if constexpr (F::corrected)
-      for (auto &B : body.pair_data.correction) B.resize(body.neighbours.order.size());
-  }
+  if (are_stale(body.neighbours, x, body.symmetry, support)) build_lists(body, x, support);
   PairData<T> &d = body.pair_data;
   const auto &order = body.neighbours.order;
   parallel_for(static_cast<Index>(order.size()), [&](Index k) {

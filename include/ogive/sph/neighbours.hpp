@@ -64,6 +64,9 @@ template <class Words> struct BitWriter {
   }
 };
 
+// Clang deduces the arguments of aggregates from version 17 on.
+template <class Words> BitWriter(Words) -> BitWriter<Words>;
+
 /// The entries of a row whose bits are set.
 template <class Words> struct SetEntries {
   struct End {};
@@ -87,6 +90,8 @@ template <class Words> struct SetEntries {
   }
   End end() const { return {}; }
 };
+
+template <class Words> SetEntries(std::span<const Index>, Words) -> SetEntries<Words>;
 
 /// The places within the support of some particle of cluster c, as the last velocity gradient found them.
 template <class T> auto row_within(const Neighbours<T> &n, Index c) { return SetEntries{row(n, c), bits(n, c)}; }
@@ -282,7 +287,7 @@ bool are_stale(const Neighbours<T> &n, std::span<const Vec3<T>> positions, Symme
     Vec3<T> low, high;
   };
   const Box box = ordered_fold(
-      static_cast<Index>(positions.size()), Box{Vec3<T>::Constant(1e30), Vec3<T>::Constant(-1e30)},
+      static_cast<Index>(positions.size()), Box{Vec3<T>::Constant(T(1e30)), Vec3<T>::Constant(T(-1e30))},
       [&](Index i) {
         const Vec3<T> u = positions[i] - n.built_at[i];
         return Box{u, u};
