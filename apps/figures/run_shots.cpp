@@ -49,11 +49,11 @@ std::vector<std::string> arguments_of(const Workshop &workshop, const Task &task
 
 fs::path log_of(const Workshop &workshop, const ShotKey &key) { return folder_of(workshop, key).string() + ".log"; }
 
-/// The last line of a log: perforate's reason where it failed.
-std::string last_line(const fs::path &log) {
+/// The line of a log that says why it failed: the first that perforate begins with its name, else the last.
+std::string reason_in(const fs::path &log) {
   std::ifstream file(log);
   std::string line, last;
-  while (std::getline(file, line))
+  while (!line.starts_with("perforate: ") && std::getline(file, line))
     if (!line.empty()) last = line;
   return ogive::printable(last);
 }
@@ -145,8 +145,8 @@ void collect_ended(Work &w) {
         note_failure(w, task, error.what());
       }
     } else if (w.outcome.stopped_by == 0) {
-      const std::string line = last_line(log_of(w.workshop, task.key));
-      note_failure(w, task, ending(*status) + (line.empty() ? "" : ": " + line));
+      const std::string reason = reason_in(log_of(w.workshop, task.key));
+      note_failure(w, task, ending(*status) + (reason.empty() ? "" : ": " + reason));
     }
     shot = w.running.erase(shot);
   }

@@ -43,10 +43,12 @@ template <class Kernel> std::vector<Sums> sums_of(const ParticleLayout<double> &
   add_internal_force(body, nodes, 0.0);
   const double h = reference_smoothing_length(body);
   std::vector<Sums> sums(layout.positions.size());
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i].value = layout.volumes[i] * kernel_value<Kernel>(0.0, h);
+  for_each_neighbour_pair(body.neighbours, [&](Index i, Index j) {
+    const double w = kernel_value<Kernel>((nodes.position[i] - nodes.position[j]).norm(), h);
+    sums[i].value += layout.volumes[j] * w, sums[j].value += layout.volumes[i] * w;
+  });
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    for (std::size_t j = 0; j < sums.size(); ++j)
-      if (const double r = (layout.positions[i] - layout.positions[j]).norm(); r < kernel_support * h)
-        sums[i].value += layout.volumes[j] * kernel_value<Kernel>(r, h);
     sums[i].gradient = -h / (2 * layout.volumes[i]) * nodes.force[i];
     sums[i].moment = body.points.velocity_gradient[i];
   }

@@ -61,8 +61,8 @@ TEST_CASE("A shot that fails is told in one line and loses no other") {
   const FakeWorkshop fake(R"(
 case $velocity in
   301) echo "perforate: stopped at 3 us" >&2; fault='{"what": "negative volume"}' ;;
-  302) echo "perforate: error: --spacing-mm = 4: must be less" >&2; exit 2 ;;
-  303) kill -SEGV $$ ;;
+  302) echo "some other line"; echo "perforate: error: --spacing-mm = 4: must be less" >&2; echo "advice"; exit 2 ;;
+  303) echo; echo "the last line"; kill -SEGV $$ ;;
   304) kill -KILL $$ ;;
   305) fault='{"what": "a\nb"}' ;;
   306) exit 0 ;;
@@ -91,7 +91,7 @@ esac
   };
   says("301", "the run stopped: negative volume");
   says("302", "exit status 2: perforate: error: --spacing-mm = 4: must be less; see ");
-  says("303", "killed by signal 11");
+  says("303", "killed by signal 11 (Segmentation fault): the last line; see ");
   says("304", "killed by signal 9");
   says("305", "the run stopped: a?b");
   says("306", "summary.json: must be a file that can be read");
