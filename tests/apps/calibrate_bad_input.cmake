@@ -12,35 +12,16 @@ file(WRITE "${folder}/slow.csv"
      "1,293,0,500\n1,293,0.1,600\n1,293,0.2,650\n1,293,0.3,690\n")
 set(metal --melting-K 1800 --density 7850 --specific-heat 452)
 
-# refused(<what the line must contain> <arguments>...)
-function(refused expected)
-  execute_process(
-    COMMAND "${CALIBRATE}" ${ARGN}
-    WORKING_DIRECTORY "${folder}"
-    TIMEOUT 60
-    RESULT_VARIABLE status
-    OUTPUT_VARIABLE output
-    ERROR_VARIABLE error)
-  if(NOT status EQUAL 2)
-    message(SEND_ERROR "${ARGN}: exit status ${status} instead of 2: ${error}")
-  endif()
-  if(NOT error MATCHES "^calibrate: error: [^\n]*\n$")
-    message(SEND_ERROR "${ARGN}: not one line: ${error}")
-  endif()
-  string(FIND "${error}" "${expected}" position)
-  if(position EQUAL -1)
-    message(SEND_ERROR "${ARGN}: \"${expected}\" is not in: ${error}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/refused.cmake")
 
-refused("--data: is required")
-refused("--data = missing.csv: must be a CSV file that can be read" --data missing.csv ${metal})
-refused("--data = old: must be a CSV file that can be read" --data old ${metal})
-refused("--data = /dev/zero: must be a CSV file of at most 256 MiB" --data /dev/zero ${metal})
-refused("bad.csv:2: stress_MPa = x: must be a finite number" --data bad.csv ${metal} --out old)
-refused("points for C = 0: needs two or more" --data slow.csv ${metal} --out old)
-refused("points for b = 0: needs two or more" --data slow.csv ${metal} --C 0.01 --out new)
-refused("--out = a_file: must be a folder" --data slow.csv ${metal} --out a_file)
+refuses("${CALIBRATE}" "--data: is required")
+refuses("${CALIBRATE}" "--data = missing.csv: must be a CSV file that can be read" --data missing.csv ${metal})
+refuses("${CALIBRATE}" "--data = old: must be a CSV file that can be read" --data old ${metal})
+refuses("${CALIBRATE}" "--data = /dev/zero: must be a CSV file of at most 256 MiB" --data /dev/zero ${metal})
+refuses("${CALIBRATE}" "bad.csv:2: stress_MPa = x: must be a finite number" --data bad.csv ${metal} --out old)
+refuses("${CALIBRATE}" "points for C = 0: needs two or more" --data slow.csv ${metal} --out old)
+refuses("${CALIBRATE}" "points for b = 0: needs two or more" --data slow.csv ${metal} --C 0.01 --out new)
+refuses("${CALIBRATE}" "--out = a_file: must be a folder" --data slow.csv ${metal} --out a_file)
 
 file(GLOB_RECURSE left RELATIVE "${folder}" "${folder}/*")
 if(NOT left STREQUAL "a_file;bad.csv;old/fit.json;slow.csv" OR EXISTS "${folder}/new")
