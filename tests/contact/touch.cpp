@@ -107,6 +107,38 @@ TEST_CASE("beside the mirror plane half a model gives the whole model's force", 
   }
 }
 
+TEST_CASE("a slave that was pushed across mirror planes feels the surface as its mirror image does", "[contact]") {
+  auto mesh = brick<double>(2, 2, 2, V::Constant(2 * edge));
+  for (V &p : mesh.positions) p[2] -= 0.3 * (p[0] + 0.5 * p[1]); // slopes, so that no component vanishes
+  const SymmetryPlanes both{true, true};
+  ContactOptions<double> rough;
+  rough.friction = 0.3;
+  struct Result {
+    V force, reaction = V::Zero();
+    double work;
+  };
+  const auto push = [&](const V &position, const V &velocity) {
+    Touching t(position, both, mesh);
+    t.contact.options = rough;
+    t.nodes.velocity[t.contact.slaves[0]] = velocity;
+    for (V &f : t.nodes.force) f.setZero();
+    add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
+    Result r{.force = t.nodes.force[t.contact.slaves[0]], .work = normal_energy(t.contact) + friction_energy(t.contact)};
+    for (V f : t.nodes.force) r.reaction += f;
+    r.reaction -= r.force;
+    return r;
+  };
+  const V position(0.01 * edge, 0.02 * edge, 2.2 * edge), velocity(3, 5, -7);
+  const Result inside = push(position, velocity);
+  REQUIRE(inside.force.norm() > 0);
+  for (const V &side : {V(-1, 1, 1), V(1, -1, 1), V(-1, -1, 1)}) {
+    const Result across = push(side.cwiseProduct(position), side.cwiseProduct(velocity));
+    CHECK((across.force - side.cwiseProduct(inside.force)).norm() < 1e-12 * inside.force.norm());
+    CHECK((across.reaction - inside.reaction).norm() < 1e-12 * inside.force.norm());
+    CHECK(across.work == Approx(inside.work).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("wrong contacts are refused", "[contact]") {
   Nodes<double> nodes;
   const Surface cube = add_surface(nodes, brick<double>(1, 1, 1, V::Constant(edge)));

@@ -13,16 +13,17 @@ namespace ogive {
 template <class T> struct Touch {
   Index facet = -1; ///< -1: no contact
   std::array<T, 4> weights{};
-  Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface
+  Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface, as the slave sees it
   T depth{};                           ///< m, positive where the slave's sphere enters the surface
   bool lost = false;                   ///< no contact, because the slave is deeper inside than the search margin
+  Reflection reflection{};             ///< in which the slave sees the facet
 };
 
 /// Closest point of the candidate facets to slave `a` of the active list. At an edge or corner the direction is that
 /// from the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
 template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
   const Index slave = contact.active[a];
-  const Vec3<T> p = nodes.position[contact.slaves[slave]];
+  const Vec3<T> p = on_model_side(contact, nodes, slave);
   const T offset = contact.offset[slave];
   T limit = offset + contact.search_margin;
   FacetPoint<T> best;
@@ -58,22 +59,23 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   if (contact.symmetry.y && std::abs(p[1]) < near) direction[1] = T(0);
   const T length = direction.norm();
   if (length < T(0.1)) return {};
-  return {facet, best.weights, direction / length, depth};
+  const Reflection reflection = to_model_side(nodes.position[contact.slaves[slave]], contact.symmetry);
+  return {facet, best.weights, reflected<T>(direction / length, reflection), depth, false, reflection};
 }
 
-/// Velocity of the slave relative to the facet's point, m/s.
-template <class T>
-Vec3<T> relative_velocity(const Nodes<T> &nodes, Index slave, const Facet &facet, const std::array<T, 4> &weights) {
-  Vec3<T> v = nodes.velocity[slave];
-  for (int c = 0; c < 4; ++c) v -= weights[c] * nodes.velocity[facet.nodes[c]];
-  return v;
+/// Velocity of the slave relative to the facet's point as the slave sees it, m/s. `touch` is a Touch or ContactForce.
+template <class T, class Touching>
+Vec3<T> relative_velocity(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index slave, const Touching &touch) {
+  Vec3<T> v = Vec3<T>::Zero();
+  for (int c = 0; c < 4; ++c) v += touch.weights[c] * nodes.velocity[contact.facets[touch.facet].nodes[c]];
+  return nodes.velocity[contact.slaves[slave]] - reflected(v, touch.reflection);
 }
 
 /// Penalty force k depth with k = stiffness m/dt^2, and Coulomb friction, at most sticking m |v_t|/dt.
 template <class T>
 ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &options, const Vec3<T> &velocity, T mass,
                               T time_step) {
-  ContactForce<T> c{.facet = touch.facet, .weights = touch.weights};
+  ContactForce<T> c{.facet = touch.facet, .reflection = touch.reflection, .weights = touch.weights};
   const T pressing = options.stiffness * mass / (time_step * time_step) * touch.depth;
   c.normal = pressing * touch.direction;
   const Vec3<T> sliding = velocity - velocity.dot(touch.direction) * touch.direction;
@@ -113,13 +115,13 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     if (const Touch<T> touch = find_touch(contact, nodes, a); touch.lost) {
       now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
     } else if (touch.facet >= 0) {
-      const Vec3<T> sliding = relative_velocity(nodes, node, contact.facets[touch.facet], touch.weights);
+      const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
       now =
-          contact_force(touch, contact.options, sliding, penalty_mass(contact, s, touch), contact.reference_time_step);
+          contact_force(touch, contact.options, velocity, penalty_mass(contact, s, touch), contact.reference_time_step);
     }
     for (const ContactForce<T> &c : {before, now}) {
       if (c.facet < 0) continue;
-      const Vec3<T> v = relative_velocity(nodes, node, contact.facets[c.facet], c.weights);
+      const Vec3<T> v = relative_velocity(contact, nodes, s, c);
       contact.normal_energy[s] -= T(0.5) * dt * v.dot(c.normal);
       contact.friction_energy[s] -= T(0.5) * dt * v.dot(c.friction);
     }
@@ -132,7 +134,7 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     const ContactForce<T> &c = contact.forces[s];
     if (c.lost && contact.lost < 0) contact.lost = s;
     if (c.facet < 0) continue;
-    const Vec3<T> reaction = c.normal + c.friction;
+    const Vec3<T> reaction = reflected<T>(c.normal + c.friction, c.reflection);
     for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
   }
 }

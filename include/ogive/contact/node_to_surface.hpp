@@ -5,6 +5,7 @@
 #include "ogive/fem/hex_mesh.hpp"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ template <class T> struct ContactOptions {
 /// What acts on one slave node.
 template <class T> struct ContactForce {
   Index facet = -1;                   ///< the facet touched; -1: no contact
-  Index lost = 0;                     ///< 1: so deep behind the surface that nothing pushes the slave back
+  std::int16_t lost = 0;              ///< 1: so deep behind the surface that nothing pushes the slave back
+  Reflection reflection{};            ///< in which the slave sees the facet, if it was pushed across a mirror plane
   std::array<T, 4> weights{};         ///< of the facet's nodes
   Vec3<T> normal = Vec3<T>::Zero();   ///< normal force on the slave, N
   Vec3<T> friction = Vec3<T>::Zero(); ///< friction force on the slave, N

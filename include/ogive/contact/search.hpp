@@ -54,6 +54,12 @@ template <class T> bool is_search_due(const NodeToSurface<T> &contact, const Nod
   return std::isfinite(relative) && relative > contact.search_margin;
 }
 
+/// Position of slave `s`, m; of its mirror image if it was pushed across a mirror plane, where there are no facets.
+template <class T> Vec3<T> on_model_side(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s) {
+  const Vec3<T> &p = nodes.position[contact.slaves[s]];
+  return reflected(p, to_model_side(p, contact.symmetry));
+}
+
 /// Finds, for each slave, the facets it can touch before the next search.
 template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
   contact.searched_at = nodes.position;
@@ -72,7 +78,7 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
   std::vector<Index> near;
   std::vector<Vec3<T>> near_position;
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s)
-    if (const Vec3<T> &p = nodes.position[contact.slaves[s]]; is_inside(surface, p)) {
+    if (const Vec3<T> p = on_model_side(contact, nodes, s); is_inside(surface, p)) {
       near.push_back(s);
       near_position.push_back(p);
     }

@@ -107,7 +107,7 @@ template <class T, class F> void for_each_neighbour_pair(const Neighbours<T> &n,
 
 /// Position of a mirror image, m.
 template <class T> Vec3<T> mirrored(const Vec3<T> &x, const MirrorImage &image) {
-  return {image.flip_x ? -x[0] : x[0], image.flip_y ? -x[1] : x[1], x[2]};
+  return reflected(x, {image.flip_x, image.flip_y});
 }
 
 /// The particles sorted into columns along z of the width `width` (m) or wider, and by z within: near ones stand close
