@@ -26,7 +26,7 @@ DATA = ROOT / "apps" / "data"
 KEY_COLUMNS = ("method", "model", "material", "nose", "thickness_mm", "initial_velocity_mps", "spacing_mm")
 SERIES_COLUMNS = ("method", "model", "material", "nose", "thickness_mm", "spacing_mm")
 # What tells of the computation and not of the plate.
-RECORD_COLUMNS = ("wall_s", "threads", "steps", "state_hash", "version")
+RECORD_COLUMNS = ("wall_s", "cpu_s", "threads", "steps", "state_hash", "version")
 TEXT_COLUMNS = {"method", "model", "material", "nose", "state_hash", "version", "fit_a_origin", "fit_p_origin",
                 "series", "source", "confidence", "what", "app", "use", "fit", "parameter"}
 SHOT_COLUMNS = KEY_COLUMNS + ("residual_velocity_mps", "perforated")

@@ -61,7 +61,7 @@ class Page:
         return found
 
     def core_minutes(self, shots):
-        return sum(s["wall_s"] * s["threads"] for s in shots if s.get("wall_s") and s.get("threads")) / 60
+        return sum(s["cpu_s"] for s in shots if s.get("cpu_s")) / 60
 
 
 def picture_shots_missing(page, figure):
@@ -114,7 +114,7 @@ def scoreboard(page):
         "figure is reproduced if all of its checks passed, partly if some did, not if none did.</p>",
         table(["Fig.", "what it shows", "status", "what decides", "cost, core min"], rows, numbers=(4,), stack=True),
         "<p class=note>What decides: of the checks that failed the one farthest beyond its limit, else the one nearest "
-        "to it. Cost: wall time times threads of the shots; a shot that several figures need counts for each.</p>"])
+        "to it. Cost: processor time of the shots; a shot that several figures need counts for each.</p>"])
 
 
 def check_item(result):
@@ -345,15 +345,15 @@ def record_section(page):
     rows = [["ogive", said("version")], ["compiler", said("compiler")], ["build type", said("build_type")],
             ["flags", f'<code>{said("flags")}</code>'], ["CPU", said("cpu_model")], ["cores", said("cores")],
             ["shots", said("shots")], ["threads of a shot", said("threads")],
-            ["wall time × threads of all shots", said("core_minutes", " min")]]
-    shots = [[escape(shot_text(s)), short(s["residual_velocity_mps"]), short(s.get("wall_s"), 3),
+            ["processor time of all shots", said("core_minutes", " min")]]
+    shots = [[escape(shot_text(s)), short(s["residual_velocity_mps"]), short(s.get("cpu_s"), 3),
               short(s.get("threads")), short(s.get("steps")), f'<code>{escape(s.get("state_hash") or "–")}</code>']
              for s in page.results.shots]
     return "\n".join([
         "<h2 id=record>Run record</h2>", table(["", ""], rows),
         "<p class=note>CPU and compiler are those of the machine and build that made this page.</p>",
         f"<details><summary>All {len(shots)} shots</summary>",
-        table(["shot", "residual, m/s", "wall, s", "threads", "steps", "hash of the final state"], shots,
+        table(["shot", "residual, m/s", "processor time, s", "threads", "steps", "hash of the final state"], shots,
               numbers=(1, 2, 3, 4)), "</details>",
         '<p>Files: <a href="results/shots.csv">results/shots.csv</a>, '
         '<a href="results/limits.csv">results/limits.csv</a>, '

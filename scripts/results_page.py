@@ -71,7 +71,7 @@ def cpu_model():
 
 def run_record(results, build):
     shots = results.shots
-    seconds = sum(s["wall_s"] * s["threads"] for s in shots if s.get("wall_s") and s.get("threads"))
+    seconds = sum(s["cpu_s"] for s in shots if s.get("cpu_s"))
     cache = cache_values(build)
     return {
         "version": sorted({s["version"] for s in shots if s.get("version")}),

@@ -46,6 +46,7 @@ struct ShotRow {
   double simulated_us = 0;
   double steps = 0;
   double wall_s = 0;
+  double cpu_s = 0;
   double threads = 0;
   std::string state_hash;
   std::string version;
@@ -78,6 +79,7 @@ template <class Row, class F> void for_each_column(Row &&row, F &&f) {
   f("simulated_us", row.simulated_us);
   f("steps", row.steps);
   f("wall_s", row.wall_s);
+  f("cpu_s", row.cpu_s);
   f("threads", row.threads);
   f("state_hash", row.state_hash);
   f("version", row.version);

@@ -28,6 +28,7 @@ struct Course {
   double last_frame_us = -1;
   double frame_interval_us = 0;
   double wall_s = 0;    ///< of all parts of the run
+  double cpu_s = 0;     ///< processor time of all threads and parts
   double writing_s = 0; ///< of that, spent on files
   int frames = 0;
   std::vector<FrameFile> frame_files;
@@ -42,7 +43,7 @@ template <class F> void for_each_field(FrameFile &file, F &&f) {
 /// Calls `f(value)` for each value of a course.
 template <class F> void for_each_field(Course &c, F &&f) {
   f(c.first_energy), f(c.first_momentum), f(c.next_frame_us), f(c.last_frame_us), f(c.frame_interval_us);
-  f(c.wall_s), f(c.writing_s), f(c.frames), f(c.frame_files), f(c.history);
+  f(c.wall_s), f(c.cpu_s), f(c.writing_s), f(c.frames), f(c.frame_files), f(c.history);
 }
 
 /// Calls `f(value)` for each value of a shot that grows during the run. The rest is known at its start or its end.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <string>
 #include <unistd.h>
 
@@ -12,7 +13,8 @@ namespace perforate {
 /// Progress of a run on standard error: a bar on a terminal, a line now and then otherwise.
 struct Progress {
   bool quiet = false;
-  double before_s = 0; ///< wall time of the run before this part of it
+  double before_s = 0;     ///< wall time of the run before this part of it
+  double cpu_before_s = 0; ///< processor time of the run before this part of it
   bool terminal = isatty(STDERR_FILENO) != 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double last_shown_s = -1e9;
@@ -21,6 +23,11 @@ struct Progress {
 /// Seconds of all parts of the run.
 inline double elapsed_s(const Progress &p) {
   return p.before_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - p.start).count();
+}
+
+/// Processor seconds of all threads in all parts of the run.
+inline double cpu_s(const Progress &p) {
+  return p.cpu_before_s + static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
 /// "2 min 05 s"

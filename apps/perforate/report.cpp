@@ -149,6 +149,7 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["steps"] = s.steps;
   j["simulated_us"] = s.simulated_us;
   j["wall_s"] = s.wall_s;
+  j["cpu_s"] = s.cpu_s;
   j["threads"] = omp_get_max_threads();
   j["ns_per_particle_step"] = ns_per_particle_step(s);
   for (std::size_t k = 0; k < ogive::phase_count; ++k) {

@@ -105,7 +105,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   const SignalCatcher catcher;
   start_results(options, plate);
   Files files = open_files(options, course);
-  Progress progress{.quiet = options.quiet, .before_s = course.wall_s};
+  Progress progress{.quiet = options.quiet, .before_s = course.wall_s, .cpu_before_s = course.cpu_s};
   Keeper keeper = start_keeper(options, model.time * 1e6, course.wall_s);
 
   const auto writing = [&](auto &&write) {
@@ -132,6 +132,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   const auto pause = [&](const auto &now, const auto &run) {
     shot.interrupted_by = caught_signal();
     course.wall_s = elapsed_s(progress);
+    course.cpu_s = cpu_s(progress);
     // At the end of the time too, so that the run can go on with a later one.
     const bool at_end = options.checkpoint_every_us > 0 && now.time >= run_options.end_time * (1 - 1e-12);
     if (is_due(keeper, now.time * 1e6, course.wall_s) || at_end || shot.interrupted_by != 0)
@@ -149,6 +150,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   shot.reason = result.reason;
   shot.fault = result.fault;
   shot.wall_s = elapsed_s(progress);
+  shot.cpu_s = cpu_s(progress);
   shot.steps = model.steps;
   shot.simulated_us = model.time * 1e6;
   shot.fragments = ogive::find_fragments(model);

@@ -41,6 +41,7 @@ struct Shot {
   double momentum_error = 0;     ///< largest over the run, against the supports' impulse, of the initial momentum
   double loop_s = 0;             ///< wall time of the time loop without writing files
   double wall_s = 0;             ///< wall time of the whole run
+  double cpu_s = 0;              ///< processor time of all threads, of the whole run
   long steps = 0;
   double simulated_us = 0;
   ogive::PhaseTimes times; ///< wall time of the parts of the time loop

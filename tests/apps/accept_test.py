@@ -16,12 +16,12 @@ from html_text import from_markdown  # noqa: E402
 from ogive_results import read_shots, short  # noqa: E402
 
 SHOT_HEADER = ("method,model,material,nose,thickness_mm,initial_velocity_mps,spacing_mm,residual_velocity_mps,"
-               "perforated,plug_thickness_mm,energy_error,largest_intrusion_mm,particles,steps,wall_s,threads,"
+               "perforated,plug_thickness_mm,energy_error,largest_intrusion_mm,particles,steps,wall_s,cpu_s,threads,"
                "state_hash,version")
 SHOTS = [
-    "sfm,mjc,weldox_460e,blunt,12,180,0.6,0,0,0,0.0001,0,25820,900,20.5,1,aa,0.1.0",
-    "sfm,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820,800,19.5,2,ab,0.1.0",
-    "sfm,mjc,weldox_460e,blunt,12,303.5,0.6,190,1,11.5,0.007,0,25820,700,10,1,ac,0.1.0",
+    "sfm,mjc,weldox_460e,blunt,12,180,0.6,0,0,0,0.0001,0,25820,900,20.5,20.4,1,aa,0.1.0",
+    "sfm,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820,800,19.5,38.8,2,ab,0.1.0",
+    "sfm,mjc,weldox_460e,blunt,12,303.5,0.6,190,1,11.5,0.007,0,25820,700,10,9.9,1,ac,0.1.0",
 ]
 LIMITS = """\
 method,model,material,nose,thickness_mm,spacing_mm,highest_stopped_mps,lowest_perforated_mps,bisection_limit_mps,\

@@ -57,7 +57,7 @@ std::vector<std::string> comparable(const fs::path &folder) {
     for_each_column(row, [&](const std::string &name, const auto &value) {
       std::ostringstream text;
       text << value << ",";
-      if (name != "wall_s" && name != "threads") line += text.str();
+      if (name != "wall_s" && name != "cpu_s" && name != "threads") line += text.str();
     });
     lines.push_back(line);
   }

@@ -52,7 +52,7 @@ require_readable() {
 
 # results <folder>: the summary without times and the machine's numbers
 results() {
-  sed -e '/"phase_s": {/,/}/d' -e '/"wall_s"/d' -e '/"threads"/d' -e '/"ns_per_particle_step"/d' -e '/"peak_memory/d' \
+  sed -e '/"phase_s": {/,/}/d' -e '/"\(wall\|cpu\)_s"/d' -e '/"threads"/d' -e '/"ns_per_particle_step"/d' -e '/"peak_memory/d' \
     "$1/summary.json"
 }
 
