@@ -24,3 +24,8 @@ foreach(program IN ITEMS perforate calibrate section)
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   endif()
 endforeach()
+
+set(doc_dir "${CMAKE_INSTALL_DATADIR}/doc/ogive")
+install(FILES CHANGELOG.md CITATION.cff README.md DESTINATION "${doc_dir}")
+install(FILES LICENSE DESTINATION "${doc_dir}" RENAME copyright)
+install(DIRECTORY examples/ DESTINATION "${doc_dir}/examples" FILES_MATCHING PATTERN "*.cpp")

@@ -3,6 +3,7 @@
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -72,8 +73,12 @@ std::string text_of_file(const std::filesystem::path &name, const std::string &w
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
   if (!file) refuse_with(errno);
-  std::string text(largest_file + 1, '\0');
-  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  std::string text;
+  std::array<char, 1 << 14> block;
+  for (std::size_t got = block.size(); got == block.size() && text.size() <= largest_file;) {
+    got = std::fread(block.data(), 1, block.size(), file.get());
+    text.append(block.data(), got);
+  }
   if (std::ferror(file.get())) refuse_with(errno);
   if (text.size() > largest_file) refuse(what, name.string(), "must be a TOML file of at most 1 MiB");
   return text;

@@ -12,8 +12,8 @@
 
 namespace input {
 
-/// All of a file of at most 1 MiB. Throws SetupError "<what> = <file>: ...".
-std::string text_of_file(const std::filesystem::path &file, const std::string &what);
+/// All of a file of at most 1 MiB. Throws SetupError "<what> = <name>: ...".
+std::string text_of_file(const std::filesystem::path &name, const std::string &what);
 
 /// The entries of TOML text, ordered by key. A number's value is the text that stands there. Throws SetupError with
 /// file and line for damaged text; `example` is a line that would be right.

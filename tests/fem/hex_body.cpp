@@ -56,6 +56,22 @@ TEST_CASE("the first inverted hex is found", "[fem]") {
   CHECK(first_inverted(s.body, s.nodes) == 0);
 }
 
+TEST_CASE("a hex of which one of several points is inverted is found", "[fem]") {
+  auto s = solid<SelectiveReduced>(brick<double>(3, 3, 3, V::Ones()));
+  CHECK(first_inverted(s.body, s.nodes) == -1);
+  const auto corners = [&] { return gather_corners(s.nodes.position, s.body.hexes[26]); };
+  double sum = 0;
+  for (int p = 0; p < 8; ++p) sum += point_volume<SelectiveReduced>(corners(), p);
+  CHECK(sum == Approx(hex_volume<double>(corners())).epsilon(1e-13));
+  // The outer corner through the middle: the point beside it inverts, the hex as a whole has volume left.
+  s.nodes.position[s.body.hexes[26][6]] -= 0.7 / 3 * V::Ones();
+  CHECK(first_inverted(s.body, s.nodes) == 26);
+  CHECK(smallest_point<SelectiveReduced>(corners()).point == 6);
+  CHECK(smallest_point<SelectiveReduced>(corners()).volume < 0);
+  CHECK(hex_volume<double>(corners()) > 0);
+  CHECK(smallest_corner_jacobian<double>(corners()) < 0);
+}
+
 TEMPLATE_TEST_CASE("a rigid rotation makes no stress and turns the stress that is there", "[fem]", OnePoint,
                    SelectiveReduced) {
   auto s = solid<TestType>(distorted_brick(2, 0.01, 0.2));

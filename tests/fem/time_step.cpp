@@ -65,6 +65,24 @@ TEST_CASE("the step of a cube is the dilatation's", "[fem]") {
   CHECK(stable_time_step(s.body, s.nodes) == Approx(0.9 * 0.001 / std::sqrt(3 * K / 7850)).epsilon(1e-12));
 }
 
+TEST_CASE("no step strains one of several points by more than a tenth", "[fem]") {
+  auto several = solid<SelectiveReduced>(brick<double>(2, 1, 1, V(0.002, 0.001, 0.001)));
+  auto one = solid<OnePoint>(brick<double>(2, 1, 1, V(0.002, 0.001, 0.001)));
+  const double step_of_several = stable_time_step(several.body, several.nodes);
+  const double step_of_one = stable_time_step(one.body, one.nodes);
+  const double rate = 2 * largest_point_strain / step_of_several;
+  M spin = M::Zero(), stretch = M::Zero();
+  spin(0, 1) = 10 * rate, spin(1, 0) = -10 * rate;
+  stretch(2, 2) = rate;
+  auto &L = several.body.points.velocity_gradient;
+  L[11] = spin; // strains nothing
+  CHECK(stable_time_step(several.body, several.nodes) == step_of_several);
+  L[11] = spin + stretch;
+  CHECK(stable_time_step(several.body, several.nodes) == Approx(0.5 * step_of_several).epsilon(1e-12));
+  one.body.points.velocity_gradient[1] = spin + stretch;
+  CHECK(stable_time_step(one.body, one.nodes) == step_of_one);
+}
+
 TEMPLATE_TEST_CASE("a free block is stable at its step and not at three times it", "[fem]", OnePoint,
                    SelectiveReduced) {
   const auto mesh = distorted_brick(4, 0.01, 0.2);

@@ -24,7 +24,7 @@ inline ParticleLayout<double> lattice(Index nx, Index ny, Index nz, double spaci
   for (Index k = 0; k < nz; ++k)
     for (Index j = 0; j < ny; ++j)
       for (Index i = 0; i < nx; ++i) {
-        layout.positions.push_back(corner + spacing * V(i + 0.5, j + 0.5, k + 0.5));
+        layout.positions.emplace_back(corner + spacing * V(i + 0.5, j + 0.5, k + 0.5));
         layout.volumes.push_back(spacing * spacing * spacing);
       }
   return layout;

@@ -129,6 +129,37 @@ TEST_CASE("an inverted hex stops the run", "[sim]") {
   CHECK(last == model.time);
 }
 
+TEST_CASE("a hex that is inverted at one of its points only stops the run", "[sim]") {
+  Nodes<double> nodes;
+  auto brick = add_hex_body<SelectiveReduced>(nodes, brick_at(2, 2, 2, V::Constant(2e-3), V::Zero()),
+                                              fem_test::steel<double>(), "brick");
+  auto model = model_of(std::move(nodes), std::move(brick));
+  const auto &hex = std::get<0>(model.bodies).hexes[7];
+  RunState<double> state = begin_run(model, RunOptions<double>{});
+  model.nodes.position[hex[6]] -= V::Constant(0.7e-3); // the outer corner through the middle
+  REQUIRE(hex_volume<double>(gather_corners(model.nodes.position, hex)) > 0);
+  const auto fault = find_fault(model, RunOptions<double>{}, state);
+  REQUIRE(fault);
+  CHECK(fault->what.find("a hex has no volume left at its point 6 of 8: -") == 0);
+  CHECK(fault->what.find(" mm3 at (1.") != std::string::npos);
+  CHECK(fault->body == "brick");
+  CHECK(fault->id == 7);
+  // An energy error that comes of it is reported as what it comes from.
+  state.initial_energy = 1;
+  Energy<double> ledger;
+  ledger.kinetic = 2;
+  CHECK(find_energy_error(model, RunOptions<double>{}, state, ledger)->what == fault->what);
+  // A run sees it after the first step: some steps later the point may have its volume back.
+  model.nodes.position[hex[6]] += V::Constant(0.7e-3);
+  const RunResult result = run(model, RunOptions<double>{.end_time = 20e-6}, [&](const auto &m, const auto &) {
+    if (m.steps == 0) model.nodes.position[hex[6]] -= V::Constant(0.7e-3);
+    return true;
+  });
+  REQUIRE(result.fault);
+  CHECK(result.fault->what.find("a hex has no volume left at its point 6 of 8: -") == 0);
+  CHECK(model.steps == 1);
+}
+
 TEST_CASE("a time step that falls too far stops the run", "[sim]") {
   auto model = two_bodies();
   Hex &hexes = std::get<1>(model.bodies);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/nodes.hpp"
@@ -18,12 +19,12 @@ namespace ogive {
 
 /// One material point in the middle, hourglass control (Flanagan & Belytschko 1981).
 struct OnePoint {
-  static constexpr int points = 1;
+  static constexpr int points = 1; ///< in a hex
 };
 
 /// 2x2x2 material points, dilatation averaged over the element (B-bar, Hughes 1980). It needs no hourglass control.
 struct SelectiveReduced {
-  static constexpr int points = 8;
+  static constexpr int points = 8; ///< in a hex
 };
 
 /// Numerical resistance of hexes.
@@ -37,20 +38,20 @@ template <class T> struct HexOptions {
 /// For each node of a body, the element corners that meet there: `corners[begin[n]]` to `corners[begin[n + 1]]` of the
 /// n-th node of the body, each 8 * hex + corner.
 struct CornersOfNodes {
-  std::vector<Index> begin;
-  std::vector<Index> corners;
+  std::vector<Index> begin;   ///< number of nodes + 1
+  std::vector<Index> corners; ///< grouped by node
 };
 
 /// A body of eight-node hexes. `Rule` is OnePoint or SelectiveReduced. Point p of hex e is material point
 /// e * Rule::points + p. Energies are those of the computed part of the model.
 template <class T, class Law, class Rule = OnePoint> struct HexBody {
-  std::string name;
-  Metal<T, Law> metal;
-  HexOptions<T> options{};
-  NodeRange nodes{};
+  std::string name;                        ///< for messages and files
+  Metal<T, Law> metal;                     ///< the same in all hexes
+  HexOptions<T> options{};                 ///< numerical resistance
+  NodeRange nodes{};                       ///< of the body
   std::vector<std::array<Index, 8>> hexes; ///< corners, indices into Nodes
-  MaterialPoints<T> points;
-  std::vector<T> point_mass; ///< kg, constant, of each point
+  MaterialPoints<T> points;                ///< state of the metal
+  std::vector<T> point_mass;               ///< kg, constant, of each point
 
   // History, one for each hex.
   std::vector<HourglassModes<T>> hourglass_force; ///< N, generalised; empty with SelectiveReduced
@@ -60,10 +61,10 @@ template <class T, class Law, class Rule = OnePoint> struct HexBody {
   std::vector<std::array<T, 8>> corner_mass;      ///< kg, the hex's share of its nodes' masses, mass scaling included
 
   // Made anew in each step by velocity_gradient and add_internal_force; `lanes<T>` hexes make a pack.
-  std::vector<MeanGradient<Pack<T>>> mean_gradient;
+  std::vector<MeanGradient<Pack<T>>> mean_gradient;       ///< one for each pack of hexes
   std::vector<HourglassMotion<Pack<T>>> hourglass_motion; ///< empty with SelectiveReduced
   std::vector<Vec3<T>> corner_force;                      ///< N, entry 8 * hex + corner
-  CornersOfNodes corners_of_nodes;
+  CornersOfNodes corners_of_nodes;                        ///< from which nodes gather their forces; constant
 };
 
 /// Calls `f(name, unit, values)` for each field of the state of a body of hexes that is not a material point's.
@@ -202,12 +203,37 @@ template <class T, class Law, class Rule> T viscous_energy(const HexBody<T, Law,
   return ordered_sum(static_cast<Index>(body.hexes.size()), T(0), [&](Index e) { return body.viscous_energy[e]; });
 }
 
-/// A hex whose volume is not positive: the first one, or -1. Removed hexes may have any shape.
+/// Volume that belongs to material point p of a hex with the corners `x`, m3; those of all points add up to the hex's.
+template <class Rule, class T> T point_volume(const Corners<T> &x, int p) {
+  if constexpr (Rule::points == 1)
+    return hex_volume<T>(x);
+  else
+    return determinant<T>(jacobian<T>(x, gauss_point<T>(p)));
+}
+
+/// A material point of a hex and its volume.
+template <class T> struct PointVolume {
+  int point = 0; ///< from 0 on
+  T volume{};    ///< m3
+};
+
+/// The material point of a hex with the corners `x` that has the least volume; one whose volume is not a number counts
+/// as the least.
+template <class Rule, class T> PointVolume<T> smallest_point(const Corners<T> &x) {
+  PointVolume<T> smallest{0, point_volume<Rule>(x, 0)};
+  for (int p = 1; p < Rule::points; ++p)
+    if (const T volume = point_volume<Rule>(x, p); !(volume >= smallest.volume)) smallest = {p, volume};
+  return smallest;
+}
+
+/// A hex that has a material point whose volume is not positive: the first one, or -1. Removed hexes may have any
+/// shape.
 template <class T, class Law, class Rule>
 Index first_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   const Index count = static_cast<Index>(body.hexes.size());
   const Index first = parallel_min(count, count, [&](Index e) {
-    return is_removed(body, e) || hex_volume<T>(gather_corners(nodes.position, body.hexes[e])) > T(0) ? count : e;
+    if (is_removed(body, e)) return count;
+    return smallest_point<Rule>(gather_corners(nodes.position, body.hexes[e])).volume > T(0) ? count : e;
   });
   return first == count ? -1 : first;
 }

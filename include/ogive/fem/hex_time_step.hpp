@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fem/hex_force.hpp"
@@ -20,6 +21,10 @@ namespace ogive {
 
 /// Fraction of the bound that is used: room for hourglass modes of distorted hexes and for the change within a step.
 inline constexpr double hex_courant = 0.9;
+
+/// Most that a step may strain one of several points. Where a hex yields, a point beside a sharp corner can lose its
+/// volume while the hex keeps its own: gradients there grow faster than the bound of the waves falls.
+inline constexpr double largest_point_strain = 0.1;
 
 /// An upper bound of the largest eigenvalue of a symmetric positive tensor, a few percent above it at most: Newton's
 /// steps on the characteristic polynomial, which come from above.
@@ -89,12 +94,19 @@ FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T
   return motion;
 }
 
-/// The stable step of hex e at the latest positions, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta).
+/// The stable step of hex e at the latest positions, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta), and with
+/// several points no more than strains the fastest of them by largest_point_strain.
 template <class T, class Law, class Rule>
 T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
   const FastestMotion<T> motion = fastest_motion(body, nodes, e);
   const T half = T(0.5) * motion.damping;
-  return T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
+  const T of_waves = T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
+  if constexpr (Rule::points == 1) return of_waves;
+  T fastest = std::numeric_limits<T>::min();
+  for (int p = 0; p < Rule::points; ++p)
+    fastest =
+        std::max(fastest, full(symmetric_part(body.points.velocity_gradient[e * Rule::points + p])).squaredNorm());
+  return std::min(of_waves, T(largest_point_strain) / std::sqrt(fastest));
 }
 
 /// Smallest stable step of all hexes that are there at the latest positions, s.

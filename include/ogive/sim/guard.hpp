@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/contact/search.hpp"
@@ -14,10 +15,10 @@ namespace ogive {
 
 /// What went wrong in the loop, where and when.
 struct Fault {
-  std::string what; ///< one line, with the values
-  std::string body;
-  Index id = -1; ///< node, particle or hex of the body; -1: none in particular
-  double time_us = 0;
+  std::string what;   ///< one line, with the values
+  std::string body;   ///< its name
+  Index id = -1;      ///< node, particle or hex of the body; -1: none in particular
+  double time_us = 0; ///< of the model, µs
 };
 
 /// "(1, 2, 3) mm"
@@ -56,19 +57,34 @@ template <class T, class... Bodies> std::optional<Fault> find_not_finite(const M
   return node_fault(model, n, what.str());
 }
 
-/// A hex without volume, if any.
-template <class T, class... Bodies> std::optional<Fault> find_inverted(const Model<T, Bodies...> &model) {
+/// The fault of a hex that has no volume left, as a whole or at one of several material points.
+template <class T, class Law, class Rule>
+Fault inverted_fault(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index hex) {
+  const Corners<T> x = gather_corners(nodes.position, body.hexes[hex]);
+  const PointVolume<T> smallest = smallest_point<Rule>(x);
+  Vec3<T> at = x.colwise().mean().transpose();
+  std::ostringstream what;
+  what << "a hex has no volume left";
+  if constexpr (Rule::points > 1) {
+    what << " at its point " << smallest.point << " of " << Rule::points;
+    at = x.transpose() * shape_functions<T>(gauss_point<T>(smallest.point));
+  }
+  what << ": " << 1e9 * double(smallest.volume) << " mm3 at " << in_mm<T>(at);
+  return {what.str(), body.name, hex, 0};
+}
+
+/// A hex without volume, as a whole or at one of several material points, if any; of bodies whose hexes have at least
+/// `least_points`.
+template <class T, class... Bodies>
+std::optional<Fault> find_inverted(const Model<T, Bodies...> &model, Index least_points = 1) {
   std::optional<Fault> fault;
   for_each_body(model, [&](const auto &body) {
     if constexpr (requires { body.hexes; })
-      if (const Index hex = first_inverted(body, model.nodes); hex >= 0 && !fault) {
-        const auto x = gather_corners(model.nodes.position, body.hexes[hex]);
-        std::ostringstream what;
-        what << "a hex has no volume left: " << 1e9 * double(hex_volume<T>(x)) << " mm3 at "
-             << in_mm<T>(x.colwise().mean().transpose());
-        fault = Fault{what.str(), body.name, hex, double(model.time) * 1e6};
-      }
+      if (body.points.size() >= least_points * static_cast<Index>(body.hexes.size()) && !fault)
+        if (const Index hex = first_inverted(body, model.nodes); hex >= 0)
+          fault = inverted_fault(body, model.nodes, hex);
   });
+  if (fault) fault->time_us = double(model.time) * 1e6;
   return fault;
 }
 

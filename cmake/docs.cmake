@@ -1,0 +1,39 @@
+# The target `docs`: the website in docs/ of the build folder. It needs no network: formulas are set by Debian's copy of
+# MathJax, of which the site gets what it uses.
+find_package(Doxygen 1.9 REQUIRED)
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
+find_path(mathjax_folder MathJax.js PATHS /usr/share/javascript/mathjax /usr/share/mathjax NO_DEFAULT_PATH REQUIRED)
+
+set(ogive_docs_folder "${CMAKE_CURRENT_BINARY_DIR}/docs")
+set(site "${ogive_docs_folder}/html")
+set(ogive_docs_sections)
+set(copy_results)
+if(EXISTS "${PROJECT_SOURCE_DIR}/docs/results/index.html")
+  set(ogive_docs_sections results)
+  set(copy_results COMMAND ${CMAKE_COMMAND} -E copy_directory "${PROJECT_SOURCE_DIR}/docs/results" "${site}/results")
+endif()
+configure_file(docs/doxygen/Doxyfile.in "${ogive_docs_folder}/Doxyfile" @ONLY)
+
+set(mathjax_parts
+    config
+    extensions
+    fonts/HTML-CSS/TeX/woff
+    jax/element
+    jax/input
+    jax/output/HTML-CSS)
+set(copy_mathjax)
+foreach(part IN LISTS mathjax_parts)
+  list(APPEND copy_mathjax COMMAND ${CMAKE_COMMAND} -E copy_directory "${mathjax_folder}/${part}"
+       "${site}/mathjax/${part}")
+endforeach()
+
+add_custom_target(
+  docs
+  COMMAND ${CMAKE_COMMAND} -E rm -rf "${site}"
+  COMMAND Doxygen::doxygen "${ogive_docs_folder}/Doxyfile"
+  COMMAND ${CMAKE_COMMAND} -E copy "${mathjax_folder}/MathJax.js" "${site}/mathjax/MathJax.js" ${copy_mathjax}
+          ${copy_results}
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/check_links.py" "${site}"
+  WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+  COMMENT "The website, its links checked: ${site}/index.html"
+  VERBATIM)

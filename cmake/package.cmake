@@ -1,0 +1,23 @@
+# What cpack makes: a Debian package of headers and programs, and a .tar.gz of the same.
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_PACKAGE_NAME ogive)
+set(CPACK_PACKAGE_VENDOR "the ogive authors")
+set(CPACK_PACKAGE_CONTACT "the ogive authors <ogive@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "Header-only C++20 library and programs that predict how a projectile
+perforates a metal plate: particles (SPH) where the plate is destroyed,
+hexahedra elsewhere, a modified Johnson-Cook law for the metal.")
+# The programs' libraries are found with dpkg-shlibdeps. The headers need Eigen; those of ogive::vtk need VTK's own,
+# which a user without pictures can do without.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ (>= 4:12), gnuplot-nox | gnuplot, xvfb, xauth, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, cmake (>= 3.25), paraview")
+include(CPack)

@@ -1,0 +1,9 @@
+#include "fuzz/target.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+  fuzz::try_input({reinterpret_cast<const char *>(data), size});
+  return 0;
+}

@@ -1,0 +1,20 @@
+#include "shared/material_file.hpp"
+
+#include "fuzz/must.hpp"
+#include "fuzz/target.hpp"
+
+#include "ogive/core/error.hpp"
+
+#include <string>
+
+/// A material file; one that is read is written and read again.
+void fuzz::try_input(std::string_view bytes) {
+  std::string text;
+  try {
+    text = material_file::to_toml(material_file::parse(bytes, "material.toml"), "");
+  } catch (const ogive::SetupError &) {
+    return;
+  }
+  must(material_file::to_toml(material_file::parse(text, "material.toml"), "") == text,
+       "a metal that was written reads back as the same");
+}

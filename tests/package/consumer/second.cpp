@@ -1,0 +1,3 @@
+#include "everything.hpp"
+
+double speed_of_sound() { return ogive::sound_speed(ogive::library::weldox_460e_mjc<double>()); }
