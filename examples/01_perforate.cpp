@@ -1,5 +1,6 @@
 // A plate perforated in a dozen lines: 12 mm of Weldox 460 E, a blunt projectile at 303.5 m/s, particles 1.2 mm apart.
 // Run: 01_perforate. It prints time, projectile velocity and total energy every 5 us; the energy stays what it was.
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <ogive/ogive.hpp>
 

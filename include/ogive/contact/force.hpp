@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/contact/closest_point.hpp"
@@ -11,8 +12,8 @@ namespace ogive {
 
 /// Where and how deep a slave touches the surface.
 template <class T> struct Touch {
-  Index facet = -1; ///< -1: no contact
-  std::array<T, 4> weights{};
+  Index facet = -1;                    ///< -1: no contact
+  std::array<T, 4> weights{};          ///< of the facet's nodes at the closest point
   Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface, as the slave sees it
   T depth{};                           ///< m, positive where the slave's sphere enters the surface
   bool lost = false;                   ///< no contact, because the slave is deeper inside than the search margin

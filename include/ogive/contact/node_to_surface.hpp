@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/nodes.hpp"
@@ -32,9 +33,9 @@ template <class T> struct ContactForce {
 /// Nodes against facets: slave nodes (particles as spheres of radius `offset`) may not enter the surface that the
 /// master facets make up. Penalty with Coulomb friction; the reaction goes to the facet's nodes.
 template <class T> struct NodeToSurface {
-  std::string name;
-  ContactOptions<T> options{};
-  SymmetryPlanes symmetry{};
+  std::string name;                          ///< for messages
+  ContactOptions<T> options{};               ///< penalty and friction
+  SymmetryPlanes symmetry{};                 ///< mirror planes of the model
   std::vector<Index> slaves;                 ///< node numbers
   std::vector<T> offset;                     ///< m, one for each slave
   std::vector<T> slave_mass;                 ///< kg; 0: let go

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/contact/closest_point.hpp"
@@ -15,28 +16,28 @@ namespace ogive {
 /// A slave node that follows the hex behind the facet it is tied to: x = sum w_a x_a over the hex's eight corners. The
 /// weights reproduce linear fields, so that a constant strain passes.
 template <class T> struct TiedNode {
-  Index slave = 0;
-  std::array<Index, 8> masters{};
-  std::array<T, 8> weights{};
+  Index slave = 0;                ///< node that follows
+  std::array<Index, 8> masters{}; ///< nodes of the hex
+  std::array<T, 8> weights{};     ///< of the masters; they add up to one
 };
 
 /// A master node and the slaves that hang on it: tied node `first` to `last` of the list `tied`.
 struct TieMaster {
-  Index node = 0;
-  Index first = 0, last = 0;
+  Index node = 0;            ///< the master
+  Index first = 0, last = 0; ///< of Tie::shares, last excluded
 };
 
 /// One slave of a master: the tied node and the corner of its hex.
 struct TieShare {
-  Index tied = 0;
-  int corner = 0;
+  Index tied = 0; ///< index into Tie::nodes
+  int corner = 0; ///< of that hex, 0 to 7
 };
 
 /// Kinematic tie: slaves follow, their forces and masses go to the masters.
 template <class T> struct Tie {
-  std::vector<TiedNode<T>> nodes;
-  std::vector<TieMaster> masters;
-  std::vector<TieShare> shares; ///< grouped by master, so that each master gathers its own
+  std::vector<TiedNode<T>> nodes; ///< the slaves
+  std::vector<TieMaster> masters; ///< nodes that carry them
+  std::vector<TieShare> shares;   ///< grouped by master, so that each master gathers its own
 };
 
 /// Ties every node of `slaves` that lies within `distance` (m) of one of the `facets` to the hex behind the nearest

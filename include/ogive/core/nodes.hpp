@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -13,8 +14,9 @@ enum Held : std::uint8_t { held_none = 0, held_x = 1, held_y = 2, held_z = 4, he
 
 /// Consecutive nodes [begin, end) of one body.
 struct NodeRange {
-  Index begin = 0;
-  Index end = 0;
+  Index begin = 0; ///< first node
+  Index end = 0;   ///< one past the last node
+  /// Number of nodes.
   Index size() const { return end - begin; }
 };
 
@@ -27,6 +29,7 @@ template <class T> struct Nodes {
   std::vector<T> mass;            ///< kg
   std::vector<std::uint8_t> held; ///< bits of Held: symmetry planes and supports
 
+  /// Number of nodes.
   Index size() const { return static_cast<Index>(position.size()); }
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/types.hpp"
@@ -32,15 +33,20 @@ template <class T> inline constexpr Index lanes = register_bytes / static_cast<i
 
 /// `lanes<T>` numbers in one register, with element by element arithmetic.
 template <class T> struct Pack {
+  /// The compiler's vector type.
   typedef T Register __attribute__((vector_size(register_bytes)));
-  Register v;
+  Register v; ///< the numbers
 
+  /// Zeros.
   Pack() : v{} {}
+  /// The same number in all lanes.
   Pack(T same) : v(same - Register{}) {}
   /// A constant of another type, taken as T(constant) takes it.
   template <class U>
   requires(std::is_arithmetic_v<U> && !std::same_as<U, T>) explicit Pack(U same) : Pack(static_cast<T>(same)) {}
 
+  ///@{
+  /// Lane by lane.
   Pack &operator+=(Pack o) { return v += o.v, *this; }
   Pack &operator-=(Pack o) { return v -= o.v, *this; }
   Pack &operator*=(Pack o) { return v *= o.v, *this; }
@@ -50,6 +56,8 @@ template <class T> struct Pack {
   friend Pack operator*(Pack a, Pack b) { return a *= b; }
   friend Pack operator/(Pack a, Pack b) { return a /= b; }
   friend Pack operator-(Pack a) { return a.v = -a.v, a; }
+  ///@}
+  /// The number in a lane.
   T operator[](Index lane) const { return v[lane]; }
 };
 
@@ -113,38 +121,50 @@ template <class R> bool register_any(R bits) {
 
 /// Where a comparison holds: all bits of a lane, or none. `&` and `!` combine masks as they do bools.
 template <class T> struct Mask {
-  decltype(typename Pack<T>::Register{} < typename Pack<T>::Register{}) v;
+  decltype(typename Pack<T>::Register{} < typename Pack<T>::Register{}) v; ///< all bits of a lane, or none
+  /// Whether it holds in a lane.
   bool operator[](Index lane) const { return v[lane] != 0; }
+  ///@{
+  /// Lane by lane.
   friend Mask operator&(Mask a, Mask b) { return a.v = a.v & b.v, a; }
   friend Mask operator!(Mask a) { return a.v = ~a.v, a; }
+  ///@}
 };
 
+///@{
+/// Lane by lane.
 template <class T> Mask<T> operator<(Pack<T> a, Pack<T> b) { return {a.v < b.v}; }
 template <class T> Mask<T> operator>(Pack<T> a, Pack<T> b) { return {a.v > b.v}; }
 template <class T> Mask<T> operator<=(Pack<T> a, Pack<T> b) { return {a.v <= b.v}; }
 template <class T> Mask<T> operator>=(Pack<T> a, Pack<T> b) { return {a.v >= b.v}; }
+///@}
 
 /// True if a lane holds.
 template <class T> bool any(Mask<T> mask) { return detail::register_any(mask.v); }
+/// The condition itself, for formulas that take single numbers too.
 inline bool any(bool condition) { return condition; }
 
 /// `a` where the mask holds, else `b`.
 template <class T> Pack<T> select(Mask<T> mask, Pack<T> a, Pack<T> b) { return a.v = mask.v ? a.v : b.v, a; }
+/// `a` if the condition holds, else `b`.
 template <class T> T select(bool condition, T a, T b) { return condition ? a : b; }
 
 /// The larger one; `b` where one is not a number.
 template <class T> Pack<T> max(Pack<T> a, Pack<T> b) { return a.v = detail::register_max(a.v, b.v), a; }
 /// The smaller one; `b` where one is not a number.
 template <class T> Pack<T> min(Pack<T> a, Pack<T> b) { return a.v = detail::register_min(a.v, b.v), a; }
+/// Square root, lane by lane.
 template <class T> Pack<T> sqrt(Pack<T> a) { return a.v = detail::register_sqrt(a.v), a; }
 
 /// 1/sqrt(a) to 27 bits or better, in a fraction of the time of root and division. `a` must be positive.
 template <class T> Pack<T> inverse_sqrt(Pack<T> a) { return a.v = detail::register_rsqrt(a.v), a; }
+/// 1/sqrt(a) of a single positive number.
 template <std::floating_point T> T inverse_sqrt(T a) { return T(1) / std::sqrt(a); }
 
 /// 1/a to 27 bits or better, in a fraction of the time of a division. `a` must not vanish.
 template <class T> Pack<T> reciprocal(Pack<T> a) { return a.v = detail::register_reciprocal(a.v), a; }
 
+/// Absolute value, lane by lane.
 template <class T> Pack<T> abs(Pack<T> a) { return max(a, -a); }
 
 /// Natural logarithm of positive numbers.
@@ -156,6 +176,7 @@ template <class T> Pack<T> log(Pack<T> a) {
   return a;
 }
 
+/// Exponential function, lane by lane.
 template <class T> Pack<T> exp(Pack<T> a) {
   Eigen::Array<T, lanes<T>, 1> x;
   std::memcpy(x.data(), &a.v, sizeof a.v);
@@ -202,6 +223,7 @@ template <class T> Mat3<T> lane_of(const Mat3<Pack<T>> &m, Index lane) {
 
 } // namespace ogive
 
+/// \cond
 /// Matrices of packs.
 template <class T> struct Eigen::NumTraits<ogive::Pack<T>> : Eigen::GenericNumTraits<ogive::Pack<T>> {
   using Real = ogive::Pack<T>;
@@ -211,3 +233,4 @@ template <class T> struct Eigen::NumTraits<ogive::Pack<T>> : Eigen::GenericNumTr
   static constexpr int IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0;
   static constexpr int ReadCost = 1, AddCost = 1, MulCost = 1;
 };
+/// \endcond

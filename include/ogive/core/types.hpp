@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <Eigen/Core>
@@ -20,8 +21,10 @@ template <class T> using Mat3 = Eigen::Matrix<T, 3, 3>;
 
 /// A symmetric second-order tensor (stress in Pa, rate of deformation in 1/s).
 template <class T> struct Sym3 {
-  T xx{}, yy{}, zz{}, xy{}, yz{}, zx{};
+  T xx{}, yy{}, zz{}, xy{}, yz{}, zx{}; ///< components
 
+  ///@{
+  /// Component by component.
   constexpr Sym3 &operator+=(const Sym3 &o) {
     xx += o.xx, yy += o.yy, zz += o.zz, xy += o.xy, yz += o.yz, zx += o.zx;
     return *this;
@@ -33,6 +36,7 @@ template <class T> struct Sym3 {
   friend constexpr Sym3 operator+(Sym3 a, const Sym3 &b) { return a += b; }
   friend constexpr Sym3 operator-(Sym3 a, const Sym3 &b) { return a += T(-1) * b; }
   friend constexpr Sym3 operator*(T f, Sym3 a) { return a *= f; }
+  ///@}
 };
 
 /// Trace of a symmetric tensor.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/types.hpp"
@@ -17,8 +18,11 @@ template <class T> using Corners = Eigen::Matrix<T, 8, 3>;
 /// Values of the eight shape functions or weights.
 template <class T> using CornerWeights = Eigen::Matrix<T, 8, 1>;
 
+/// First natural coordinate of each corner.
 inline constexpr std::array<int, 8> hex_xi = {-1, 1, 1, -1, -1, 1, 1, -1};
+/// Second natural coordinate of each corner.
 inline constexpr std::array<int, 8> hex_eta = {-1, -1, 1, 1, -1, -1, 1, 1};
+/// Third natural coordinate of each corner.
 inline constexpr std::array<int, 8> hex_zeta = {-1, -1, -1, -1, 1, 1, 1, 1};
 
 /// Natural coordinates of corner a.
@@ -150,8 +154,8 @@ template <class T> T hex_volume(const Corners<T> &x) { return mean_gradient<T>(x
 
 /// Gradients dN_a/dx (1/m) at one integration point and the volume that belongs to it (m3).
 template <class T> struct PointGradient {
-  Corners<T> gradient;
-  T volume;
+  Corners<T> gradient; ///< 1/m, row a is corner a
+  T volume;            ///< m3
 };
 
 /// Gradients at the 2x2x2 Gauss point p.

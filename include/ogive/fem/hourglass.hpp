@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fem/hex8.hpp"
@@ -29,10 +30,11 @@ template <class T> using HourglassModes = Eigen::Matrix<T, 3, 4>;
 
 /// What hourglass control knows of a hex: X_alpha (m, times 8) and the rates q'_alpha (m/s).
 template <class T> struct HourglassMotion {
-  HourglassModes<T> shape;
-  HourglassModes<T> rate;
+  HourglassModes<T> shape; ///< X_alpha, m, times 8
+  HourglassModes<T> rate;  ///< q'_alpha, m/s
 };
 
+/// Square root of eight, the length of a hourglass vector.
 inline constexpr double root8 = 2 * std::numbers::sqrt2;
 
 /// Hourglass shape and rates from the modes of positions and velocities and the mean velocity gradient L (1/s). The

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fem/facets.hpp"
@@ -32,7 +33,11 @@ namespace ogive {
 /// Outline of the O-grid's core as fractions of the radius: half its width, half its diagonal in the cross section,
 /// half its diagonal in space (where the shell wraps around it). Its sides bulge, so that the hexes at its corners stay
 /// well shaped. The values in use give about the largest stable step.
-template <class T> struct CoreOutline { T side{}, diagonal{}, space_diagonal{}; };
+template <class T> struct CoreOutline {
+  T side{};           ///< half its width
+  T diagonal{};       ///< half its diagonal in the cross section
+  T space_diagonal{}; ///< half its diagonal in space
+};
 
 /// Point of the bulged unit core at the fractions p, q (cross section) and w (towards a wrapped front), in radii.
 template <class T> Vec3<T> core_point(const CoreOutline<T> &core, T p, T q, T w) {

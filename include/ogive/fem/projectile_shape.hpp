@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -15,6 +16,7 @@ namespace ogive {
 /// Shape of a projectile's front.
 enum class Nose { blunt, conical, ogival, hemispherical };
 
+/// All noses, in the order of the enumerators.
 inline constexpr std::array<Nose, 4> all_noses = {Nose::blunt, Nose::conical, Nose::ogival, Nose::hemispherical};
 
 /// Name of a nose: its enumerator.
@@ -32,9 +34,9 @@ inline Nose nose_named(std::string_view text) {
 
 /// A round projectile: a cylindrical shank and a nose in front of it. SI units.
 template <class T> struct ProjectileShape {
-  Nose nose = Nose::blunt;
-  T diameter{};     ///< of the shank, m
-  T shank_length{}; ///< m
+  Nose nose = Nose::blunt; ///< shape of the front
+  T diameter{};            ///< of the shank, m
+  T shank_length{};        ///< m
   T nose_length{}; ///< m: 0 if blunt; of the frustum if conical; of the ogive without flat; the radius if hemispherical
   T tip_diameter{}; ///< flat at the tip of a conical or ogival nose, m
 };

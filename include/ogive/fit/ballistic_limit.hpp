@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -60,8 +61,8 @@ BallisticCurve<T> recht_ipson(T projectile_mass, std::type_identity_t<T> plug_ma
 
 /// A shot and what was left of its velocity, m/s; a residual of 0 means stopped.
 template <class T> struct ResidualShot {
-  T initial{};
-  T residual{};
+  T initial{};  ///< m/s
+  T residual{}; ///< m/s
 };
 
 /// How a fit came by a parameter.
@@ -73,16 +74,16 @@ enum class ParameterOrigin {
 
 /// What is known of a parameter besides its value.
 template <class T> struct ParameterReport {
-  ParameterOrigin origin = ParameterOrigin::held;
-  std::optional<T> standard_error; ///< of fitted ones with more points than parameters
+  ParameterOrigin origin = ParameterOrigin::held; ///< how the fit came by it
+  std::optional<T> standard_error;                ///< of fitted ones with more points than parameters
 };
 
 /// A curve through shots.
 template <class T> struct BallisticFit {
-  BallisticCurve<T> curve;
-  ParameterReport<T> a, p, limit;
-  std::size_t points = 0; ///< shots that perforated
-  T rms{};                ///< root mean square of curve minus residual velocity, m/s
+  BallisticCurve<T> curve;        ///< the best one
+  ParameterReport<T> a, p, limit; ///< of the curve's parameter of this name
+  std::size_t points = 0;         ///< shots that perforated
+  T rms{};                        ///< root mean square of curve minus residual velocity, m/s
 };
 
 namespace ballistic_limit_detail {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fit/covariance.hpp"
@@ -8,12 +9,12 @@ namespace ogive {
 /// A law fitted to tests, with its uncertainty. The order of `covariance` is A, B, a for each hardening, then C, b;
 /// what was given has no error. The errors take the points' scatter as independent: that of specimens is not in them.
 struct Calibration {
-  FlowFrame frame;
+  FlowFrame frame;                     ///< form of the law and what was given
   std::vector<std::string> hardenings; ///< names of the plates, as in TestSeries
   std::vector<Hardening> quasi_static; ///< A0, B0, a: stress at the quasi-static rate and room temperature
   std::vector<Hardening> hardening;    ///< A, B, a of the law
-  double C{}, b{};
-  Eigen::MatrixXd covariance; ///< Pa, Pa, 1, ..., 1, 1
+  double C{}, b{};                     ///< rate and thermal exponent
+  Eigen::MatrixXd covariance;          ///< Pa, Pa, 1, ..., 1, 1
 };
 
 /// Covariance of A, B, a of hardening `h`, C and b.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fit/engineering_curve.hpp"
@@ -28,8 +29,8 @@ struct CurveTableFormat {
 
 /// A table: its name for errors, and its text.
 struct CurveTable {
-  std::string name;
-  std::string_view text;
+  std::string name;      ///< for errors
+  std::string_view text; ///< all of it
 };
 
 namespace curve_table_detail {

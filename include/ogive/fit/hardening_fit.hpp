@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -15,8 +16,8 @@ namespace ogive {
 
 /// A stress to be fitted by factor * (A + B strain^a).
 struct HardeningPoint {
-  double strain{};
-  double stress{};
+  double strain{};   ///< plastic
+  double stress{};   ///< Pa
   double factor = 1; ///< what the law says besides hardening
 };
 

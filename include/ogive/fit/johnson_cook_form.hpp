@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/material/johnson_cook.hpp"
@@ -17,21 +18,22 @@ enum class FlowForm {
   logarithmic, ///< 1 + C ln(rate/rate0), 1 below rate0 (Johnson & Cook 1983)
   power        ///< (1 + rate/rate0)^C (Camacho & Ortiz 1997)
 };
+/// All forms, in the order of the enumerators.
 inline constexpr std::array<FlowForm, 3> all_flow_forms{FlowForm::modified, FlowForm::logarithmic, FlowForm::power};
 
 /// A + B eps^a.
 struct Hardening {
   double A{}; ///< Pa
   double B{}; ///< Pa
-  double a{};
+  double a{}; ///< exponent
 };
 
 /// All that a law knows besides its five parameters.
 struct FlowFrame {
-  FlowForm form = FlowForm::modified;
-  double reference_rate = 1; ///< 1/s, of the classical law
-  double room = 293;         ///< Tr, K
-  double melting{};          ///< Tm, K
+  FlowForm form = FlowForm::modified; ///< rate factor
+  double reference_rate = 1;          ///< 1/s, of the classical law
+  double room = 293;                  ///< Tr, K
+  double melting{};                   ///< Tm, K
 };
 
 /// The modified law with these parameters.

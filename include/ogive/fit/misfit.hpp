@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fit/calibration.hpp"
@@ -8,7 +9,7 @@ namespace ogive {
 
 /// How far a law is from one curve.
 struct CurveMisfit {
-  int points = 0;
+  int points = 0;     ///< of the curve
   double rms = 0;     ///< Pa
   double largest = 0; ///< law - test where it is largest in size, Pa
   double strain = 0;  ///< plastic, there
@@ -33,6 +34,7 @@ struct Misfit {
   double rms = 0;      ///< Pa
   double relative = 0; ///< of the measured stress
 };
+/// How far the law is from all points that are used.
 inline Misfit misfit(const TestSeries &s, const Calibration &c) {
   double squares = 0, relative = 0;
   const auto points = used_points(s);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fit/johnson_cook_form.hpp"
@@ -8,7 +9,7 @@ namespace ogive {
 
 /// One point's equation for C, linear in it: y = C z, to be weighted with x.
 struct RateEquation {
-  double x, y, z;
+  double x, y, z; ///< of y = C z with the weight x
 };
 
 /// The equation of a point whose stress is `ratio` times that of the quasi-static curve, ratio = R(rate)/R(rate0).

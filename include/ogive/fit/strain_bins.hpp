@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fit/calibration.hpp"
@@ -20,7 +21,7 @@ struct StrainBin {
   double strain{};         ///< plastic, middle of the bin
   double value{};          ///< C or b
   double standard_error{}; ///< infinite for a single point
-  int points = 0;
+  int points = 0;          ///< in the bin
 };
 
 namespace strain_bins_detail {

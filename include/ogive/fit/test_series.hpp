@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -18,9 +19,10 @@ namespace ogive {
 
 /// An interval, ends included.
 struct Interval {
-  double from = 0;
-  double to = std::numeric_limits<double>::infinity();
+  double from = 0;                                     ///< least value
+  double to = std::numeric_limits<double>::infinity(); ///< greatest value
 };
+/// True if `x` lies in the interval.
 inline bool holds(const Interval &interval, double x) { return x >= interval.from && x <= interval.to; }
 
 /// What is known of the metal and of the tests, and what the fit should look at.
@@ -63,22 +65,22 @@ inline constexpr double quasi_static_ratio = 3;
 
 /// A curve and what is made of it.
 struct SortedCurve {
-  StressCurve curve; ///< at room temperature where it is within the tolerance
-  CurveUse use = CurveUse::left_out;
-  bool adiabatic = false;
-  std::vector<double> temperature; ///< K, at each point
-  std::size_t hardening = 0;       ///< index in TestSeries::hardenings
+  StressCurve curve;                 ///< at room temperature where it is within the tolerance
+  CurveUse use = CurveUse::left_out; ///< what the curve or point serves for
+  bool adiabatic = false;            ///< the test kept its heat
+  std::vector<double> temperature;   ///< K, at each point
+  std::size_t hardening = 0;         ///< index in TestSeries::hardenings
 };
 
 /// All tests of a metal.
 struct TestSeries {
-  SeriesSettings settings;
-  std::vector<SortedCurve> curves;
+  SeriesSettings settings;         ///< what was given
+  std::vector<SortedCurve> curves; ///< in the order of the tables
   /// Plates with a hardening curve of their own; last, if a plate has no quasi-static curve, `all_plates`.
   std::vector<std::string> hardenings;
-  bool pooled = false;        ///< whether the last one stands for all plates
-  double quasi_static_rate{}; ///< 1/s, geometric mean over the quasi-static curves
-  std::vector<std::string> messages;
+  bool pooled = false;               ///< whether the last one stands for all plates
+  double quasi_static_rate{};        ///< 1/s, geometric mean over the quasi-static curves
+  std::vector<std::string> messages; ///< one line each, for the user
 };
 
 /// Name of the hardening that plates without a quasi-static curve share.
@@ -174,10 +176,10 @@ inline TestSeries sorted_series(std::vector<StressCurve> curves, const SeriesSet
 
 /// A point of a curve, with all that a law needs to give its stress.
 struct TestPoint {
-  double strain{}, stress{}, rate{}, temperature{};
-  std::size_t hardening = 0;
-  std::size_t curve = 0;
-  CurveUse use = CurveUse::left_out;
+  double strain{}, stress{}, rate{}, temperature{}; ///< plastic; Pa; 1/s; K
+  std::size_t hardening = 0;                        ///< index in TestSeries::hardenings
+  std::size_t curve = 0;                            ///< index in TestSeries::curves
+  CurveUse use = CurveUse::left_out;                ///< what the curve or point serves for
 };
 
 /// The points of all curves that are used, in the order of the curves.

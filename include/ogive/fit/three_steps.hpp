@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fit/hardening_fit.hpp"
@@ -17,14 +18,14 @@ namespace ogive {
 
 /// A law to be fitted. C and b may be known beforehand.
 struct FlowChoice {
-  FlowFrame frame;
-  std::optional<double> C{}, b{};
+  FlowFrame frame;                ///< form of the law and what is given
+  std::optional<double> C{}, b{}; ///< fitted unless given
 };
 
 /// The parameters as the steps see them: hardening is that of the quasi-static curve, A0 and B0.
 struct StepParameters {
   std::vector<Hardening> hardening; ///< one for each of TestSeries::hardenings
-  double C{}, b{};
+  double C{}, b{};                  ///< rate and thermal exponent
 };
 
 /// Rate factor over that of the quasi-static curve.
@@ -58,9 +59,11 @@ inline double quasi_static_factor(const FlowFrame &f, double C, double b, const 
          thermal_factor(p.temperature, f.room, f.melting, b).value;
 }
 
+/// True if C is taken from this point.
 inline bool gives_rate(const TestSeries &s, const TestPoint &p) {
   return p.use == CurveUse::rate && holds(s.settings.rate_window, p.strain);
 }
+/// True if b is taken from this point.
 inline bool gives_softening(const TestSeries &s, const TestPoint &p) {
   return p.use == CurveUse::thermal && holds(s.settings.thermal_window, p.strain);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -23,8 +24,10 @@ concept PlainValue = (std::is_arithmetic_v<V> && !std::is_same_v<V, bool>) || st
 
 /// Writes values.
 struct ArchiveWriter {
-  std::string bytes;
+  std::string bytes; ///< written so far
 
+  ///@{
+  /// Appends a value; arrays, texts and optional values begin with their size.
   template <class V> void operator()(const V &value) {
     if constexpr (PlainValue<V>)
       bytes.append(reinterpret_cast<const char *>(&value), sizeof value);
@@ -43,6 +46,7 @@ struct ArchiveWriter {
     (*this)(std::uint64_t(value ? 1 : 0));
     if (value) (*this)(*value);
   }
+  ///@}
 };
 
 /// Reads what ArchiveWriter has written. Whatever the bytes are, they are read within their bounds and no array becomes
@@ -51,6 +55,8 @@ struct ArchiveReader {
   std::string_view rest; ///< what has not been read yet
   std::string name;      ///< for errors
 
+  ///@{
+  /// Reads a value.
   template <class V> void operator()(V &value) {
     if constexpr (PlainValue<V>)
       std::memcpy(&value, take(sizeof value).data(), sizeof value);
@@ -68,6 +74,7 @@ struct ArchiveReader {
     value.reset();
     if (count(1) == 1) (*this)(value.emplace());
   }
+  ///@}
 
   /// The next `size` bytes.
   std::string_view take(std::size_t size) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/io/write_error.hpp"
@@ -66,6 +67,7 @@ inline void write_atomically(const std::filesystem::path &path, std::span<const 
 inline int write_and_sync(const std::filesystem::path &path, std::string_view bytes) {
   return write_and_sync(path, std::span<const std::string_view>(&bytes, 1));
 }
+/// The same for bytes that are there already.
 inline void write_atomically(const std::filesystem::path &path, std::string_view bytes) {
   write_atomically(path, std::span<const std::string_view>(&bytes, 1));
 }

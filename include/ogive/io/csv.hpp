@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -21,10 +22,10 @@ namespace ogive {
 /// A table of numbers, separated by commas, that grows row by row. Each row is on its way to the disk when `add_row`
 /// returns, so a run that is killed leaves whole rows.
 struct CsvWriter {
-  std::filesystem::path path;
+  std::filesystem::path path;       ///< of the file
   std::vector<std::string> columns; ///< names, units included: "time_us"
-  std::ofstream file;
-  std::uintmax_t size = 0; ///< bytes of the rows so far
+  std::ofstream file;               ///< open as long as the writer lives
+  std::uintmax_t size = 0;          ///< bytes of the rows so far
 };
 
 /// Writes `line` and a line end. Throws WriteError with the operating system's reason; the table then ends with the row

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <chrono>
@@ -13,21 +14,29 @@ namespace ogive {
 /// The functions of XCB that the question needs. They are looked up at run time, so that a program without pictures
 /// does not depend on X; XCB and not Xlib, because Xlib ends the program when a connection breaks.
 struct Xcb {
+  /// xcb_query_extension_cookie_t
   struct Cookie {
-    unsigned sequence;
+    unsigned sequence; ///< number of the question
   };
+  /// xcb_query_extension_reply_t
   struct Extension {
-    std::uint8_t response_type, pad;
-    std::uint16_t sequence;
-    std::uint32_t length;
-    std::uint8_t present, major_opcode, first_event, first_error;
+    std::uint8_t response_type, pad;                              ///< not used here
+    std::uint16_t sequence;                                       ///< not used here
+    std::uint32_t length;                                         ///< not used here
+    std::uint8_t present, major_opcode, first_event, first_error; ///< present: not 0 if the server has it
   };
+  /// xcb_connect
   void *(*connect)(const char *, int *) = nullptr;
+  /// xcb_connection_has_error
   int (*has_error)(void *) = nullptr;
+  /// xcb_disconnect
   void (*disconnect)(void *) = nullptr;
+  /// xcb_query_extension
   Cookie (*ask)(void *, std::uint16_t, const char *) = nullptr;
+  /// xcb_query_extension_reply
   Extension *(*answer)(void *, Cookie, void **) = nullptr;
 
+  /// True if all functions were found.
   bool complete() const { return connect && has_error && disconnect && ask && answer; }
 };
 

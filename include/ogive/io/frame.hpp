@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -20,35 +21,35 @@ namespace ogive {
 /// Values on points or cells, `components` after each other for each. One component is a scalar, three a vector
 /// (x, y, z), six a symmetric tensor (xx, yy, zz, xy, yz, zx).
 struct Field {
-  std::string name; ///< with its unit: "von_mises_MPa"
-  int components = 1;
-  std::vector<float> values;
+  std::string name;          ///< with its unit: "von_mises_MPa"
+  int components = 1;        ///< 1, 3 or 6
+  std::vector<float> values; ///< components of the first, of the second, ...
 };
 
 /// A body of particles.
 struct PointCloud {
-  std::string name;
+  std::string name;                   ///< of the body
   int part = 0;                       ///< number of the body in the model, from 0
   float diameter = 0;                 ///< particle distance, m
   std::vector<Vec3<float>> positions; ///< m
-  std::vector<Field> fields;
+  std::vector<Field> fields;          ///< on the particles
 };
 
 /// A body of eight-node hexes.
 struct HexGrid {
-  std::string name;
+  std::string name;                        ///< of the body
   int part = 0;                            ///< number of the body in the model, from 0
   std::vector<Vec3<float>> positions;      ///< m
   std::vector<std::array<Index, 8>> hexes; ///< corners, indices into positions
-  std::vector<Field> point_fields;
-  std::vector<Field> cell_fields;
+  std::vector<Field> point_fields;         ///< on the nodes
+  std::vector<Field> cell_fields;          ///< on the hexes
 };
 
 /// All bodies of a model at one time.
 struct Frame {
-  double time = 0; ///< s
-  std::vector<PointCloud> clouds;
-  std::vector<HexGrid> grids;
+  double time = 0;                ///< s
+  std::vector<PointCloud> clouds; ///< bodies of particles
+  std::vector<HexGrid> grids;     ///< bodies of hexes
   SymmetryPlanes symmetry{}; ///< the bodies are the part that is computed, where the planes' coordinates are positive
 };
 

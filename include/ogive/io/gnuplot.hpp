@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -72,8 +73,8 @@ inline std::string gnuplot_file(const std::filesystem::path &file) {
 
 /// Width and height of a picture in pixels.
 struct PictureSize {
-  int width = 900;
-  int height = 600;
+  int width = 900;  ///< pixels
+  int height = 600; ///< pixels
 };
 
 /// Settings that all pictures share: white ground, CSV files, quiet axes.

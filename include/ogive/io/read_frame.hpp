@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/io/text.hpp"
@@ -36,7 +37,7 @@ struct StoredFrame {
 
 /// What a .pvd lists.
 struct StoredSeries {
-  std::filesystem::path pvd;
+  std::filesystem::path pvd;       ///< the file itself
   std::vector<StoredFrame> frames; ///< at least one, in the order of the file
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/io/atomic_file.hpp"
@@ -43,7 +44,7 @@ namespace ogive {
 
 /// A rectangle on a page, from its lower left corner. Fractions of the page, or pixels where said so.
 struct PageBox {
-  double x = 0, y = 0, width = 0, height = 0;
+  double x = 0, y = 0, width = 0, height = 0; ///< lower left corner and size
 };
 
 /// The ink of text and bars.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/io/section_picture.hpp"
@@ -18,15 +19,15 @@ namespace ogive {
 
 /// One section of a panel.
 struct PanelCell {
-  Frame frame;
+  Frame frame;       ///< what is cut
   std::string label; ///< one line below the section
 };
 
 /// What a panel shows of each section, and how large.
 struct SectionPanel {
-  SectionStyle style{.mesh_edges = false, .particle_ambient = 0.7};
-  std::string title{};      ///< one line above the panel; none if empty
-  std::string bar_title{};  ///< above the colours; the field's name if empty
+  SectionStyle style{.mesh_edges = false, .particle_ambient = 0.7}; ///< colours and what is grey
+  std::string title{};                                              ///< one line above the panel; none if empty
+  std::string bar_title{};                                          ///< above the colours; the field's name if empty
   double low_mm = -40;      ///< lowest z that is seen; the plate's front face is z = 0
   double high_mm = 22;      ///< highest z that is seen
   double radius_mm = 28;    ///< farthest x that is seen on either side
@@ -38,14 +39,14 @@ struct SectionPanel {
 
 /// Where things stand on a panel. Pixels from the lower left corner.
 struct PanelLayout {
-  int width = 0, height = 0;
-  int font_size = 0;
-  double pixels_per_mm = 0;
+  int width = 0, height = 0;   ///< of the page
+  int font_size = 0;           ///< of all text
+  double pixels_per_mm = 0;    ///< scale of the sections
   std::vector<PageBox> cells;  ///< the sections
   std::vector<PageBox> labels; ///< below them
-  PageBox title;
-  PageBox bar;   ///< the colours, their values and their title
-  PageBox scale; ///< the scale bar and its length
+  PageBox title;               ///< above the sections
+  PageBox bar;                 ///< the colours, their values and their title
+  PageBox scale;               ///< the scale bar and its length
 };
 
 /// Columns for `cells` sections where none are asked for.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/io/section_page.hpp"
@@ -12,7 +13,7 @@ namespace ogive {
 
 /// What a picture of the section shows, and how large.
 struct SectionPicture {
-  SectionStyle style{};
+  SectionStyle style{};       ///< colours and what is grey
   std::string title{};        ///< one line above the picture: case, time, velocity
   std::string bar_title{};    ///< beside the colours; the field's name if empty
   double half_height_mm = 30; ///< half of what is seen from bottom to top

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/symmetry.hpp"
@@ -53,6 +54,7 @@ inline vtkSmartPointer<vtkColorTransferFunction> section_colours(const SectionSt
   return function;
 }
 
+/// True if the style leaves this part grey.
 inline bool drawn_grey(const SectionStyle &style, const std::string &part) {
   return std::find(style.grey_parts.begin(), style.grey_parts.end(), part) != style.grey_parts.end();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/io/atomic_file.hpp"
@@ -45,18 +46,18 @@ inline void write_vtu(const std::filesystem::path &path, const HexGrid &hexes) {
 
 /// The files of one part at one time, for the .pvd.
 struct VtkSeriesEntry {
-  double time = 0; ///< s
-  int part = 0;
-  std::string part_name;
-  std::string file; ///< relative to the series' folder: "frames/run_plate_0003.vtu"
+  double time = 0;       ///< s
+  int part = 0;          ///< number of the body in the model, from 0
+  std::string part_name; ///< of the body
+  std::string file;      ///< relative to the series' folder: "frames/run_plate_0003.vtu"
 };
 
-/// A growing series of frames: <folder>/<name>.pvd and <folder>/frames/<name>_<part>_<NNNN>.vtu.
+/// A growing series of frames: FOLDER/NAME.pvd and FOLDER/frames/NAME_PART_NNNN.vtu.
 struct VtkSeries {
-  std::filesystem::path folder;
-  std::string name;
-  int frames = 0; ///< written so far
-  std::vector<VtkSeriesEntry> entries{};
+  std::filesystem::path folder;          ///< where the .pvd lies
+  std::string name;                      ///< of the .pvd, and the start of all names
+  int frames = 0;                        ///< written so far
+  std::vector<VtkSeriesEntry> entries{}; ///< in the order of writing
 };
 
 /// Whether `name` can be part of a file name and of XML as it is: letters, digits, '-', '_' and '.', not '.' first.
@@ -65,6 +66,7 @@ inline bool plain_file_name(const std::string &name) {
   return !name.empty() && name[0] != '.' && std::all_of(name.begin(), name.end(), plain);
 }
 
+/// The file that lists the frames.
 inline std::filesystem::path pvd_path(const VtkSeries &series) { return series.folder / (series.name + ".pvd"); }
 
 /// The frames that the .pvd of a series lists, relative to the folder; none if there is no .pvd.

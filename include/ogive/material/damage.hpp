@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/types.hpp"
@@ -25,10 +26,10 @@ enum class FailureEffect {
 
 /// Damage of a metal.
 template <class T> struct Damage {
-  DamageLaw law = DamageLaw::none;
-  FailureEffect effect = FailureEffect::none;
-  FailureStrain<T> failure_strain{}; ///< of the Johnson-Cook law
-  T critical_work{};                 ///< W_cr of the Cockcroft-Latham law, Pa
+  DamageLaw law = DamageLaw::none;            ///< how damage grows
+  FailureEffect effect = FailureEffect::none; ///< what happens at 1
+  FailureStrain<T> failure_strain{};          ///< of the Johnson-Cook law
+  T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa
 };
 
 /// True if a point with the damage `D` has failed, so that failure shows.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/pack.hpp"
@@ -14,9 +15,9 @@ enum class PressureLaw {
 
 /// Equation of state. `gruneisen` and `hugoniot_slope` are used by Mie-Grueneisen only.
 template <class T> struct EquationOfState {
-  PressureLaw law = PressureLaw::linear;
-  T hugoniot_slope{}; ///< s of Us = c0 + s up
-  T gruneisen{};      ///< Gamma0, with rho Gamma = rho0 Gamma0
+  PressureLaw law = PressureLaw::linear; ///< which of the two
+  T hugoniot_slope{};                    ///< s of Us = c0 + s up
+  T gruneisen{};                         ///< Gamma0, with rho Gamma = rho0 Gamma0
 };
 
 /// Pressure in Pa for the compression mu = rho/rho0 - 1 and the internal energy `energy` in J per reference m3.

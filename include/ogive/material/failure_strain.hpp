@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/types.hpp"
@@ -9,8 +10,8 @@ namespace ogive {
 
 /// Constants of the failure strain (Liu et al. 2012, Eq. 4). The paper has no reference rate: 1/s.
 template <class T> struct FailureStrain {
-  T D1{}, D2{}, D3{}, D4{}, D5{};
-  T reference_rate = T(1); ///< 1/s, what published values of D4 are relative to
+  T D1{}, D2{}, D3{}, D4{}, D5{}; ///< of Eq. 4, 1
+  T reference_rate = T(1);        ///< 1/s, what published values of D4 are relative to
 };
 
 /// eps_f = [D1 + D2 exp(D3 triaxiality)] (rate/reference)^D4 [1 + D5 T*] (Liu et al. 2012, Eq. 4), never below 1e-6.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/pack.hpp"
@@ -28,7 +29,10 @@ template <class Law, class T>
 concept PackedFlowLaw = FlowLaw<Law, Pack<T>>;
 
 /// Hardening A + B eps^n and its slope. At eps = 0 the slope of n < 1 is infinite; a large finite one is given.
-template <class N> struct PowerHardening { N value, slope; };
+template <class N> struct PowerHardening {
+  N value; ///< Pa
+  N slope; ///< by plastic strain, Pa
+};
 
 /// Hardening term shared by the Johnson-Cook family, Pa. `N` is T or a pack of T, here as in all that follows.
 template <class T, class N> PowerHardening<N> power_hardening(T A, T B, T n, N plastic_strain) {
@@ -38,7 +42,10 @@ template <class T, class N> PowerHardening<N> power_hardening(T A, T B, T n, N p
 }
 
 /// Thermal factor 1 - T*^b with T* clamped to [0, 1], and its slope in 1/K.
-template <class N> struct ThermalFactor { N value, slope; };
+template <class N> struct ThermalFactor {
+  N value; ///< 0 to 1
+  N slope; ///< by temperature, 1/K
+};
 
 /// Thermal softening of the Johnson-Cook family: T* = (T - Tr)/(Tm - Tr); 1 below Tr, 0 above Tm.
 template <class T, class N> ThermalFactor<N> thermal_factor(N temperature, T room, T melting, T b) {

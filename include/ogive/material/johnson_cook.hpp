@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/material/flow_law.hpp"
@@ -38,15 +39,15 @@ enum class RateFactor {
 
 /// Classical Johnson-Cook law: sigma = [A + B eps^n] f(rate) [1 - T*^m].
 template <class T> struct JohnsonCook {
-  T A{};              ///< Pa
-  T B{};              ///< Pa
-  T n{};              ///< hardening exponent
-  T C{};              ///< rate coefficient
-  T m{};              ///< thermal exponent
-  T reference_rate{}; ///< 1/s
-  T room{};           ///< Tr, K
-  T melting{};        ///< Tm, K
-  RateFactor rate_factor = RateFactor::logarithmic;
+  T A{};                                            ///< Pa
+  T B{};                                            ///< Pa
+  T n{};                                            ///< hardening exponent
+  T C{};                                            ///< rate coefficient
+  T m{};                                            ///< thermal exponent
+  T reference_rate{};                               ///< 1/s
+  T room{};                                         ///< Tr, K
+  T melting{};                                      ///< Tm, K
+  RateFactor rate_factor = RateFactor::logarithmic; ///< which of the two
 };
 
 /// Johnson & Cook 1983, with either rate factor.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -19,7 +20,9 @@ template <class T> struct Elasticity {
   T poisson{}; ///< -0.999 to 0.499
 };
 
+/// Shear modulus G = E/(2 (1 + nu)), Pa.
 template <class T> T shear_modulus(const Elasticity<T> &e) { return e.young / (T(2) * (T(1) + e.poisson)); }
+/// Bulk modulus K = E/(3 (1 - 2 nu)), Pa.
 template <class T> T bulk_modulus(const Elasticity<T> &e) { return e.young / (T(3) * (T(1) - T(2) * e.poisson)); }
 /// P-wave modulus lambda + 2 mu, Pa.
 template <class T> T p_wave_modulus(const Elasticity<T> &e) { return bulk_modulus(e) + T(4) / T(3) * shear_modulus(e); }
@@ -28,18 +31,18 @@ template <class T> T p_wave_modulus(const Elasticity<T> &e) { return bulk_modulu
 template <class T, class Law>
 requires FlowLaw<Law, T>
 struct Metal {
-  std::string name;
-  std::string source; ///< where the constants come from
-  T density{};        ///< kg/m3
-  Elasticity<T> elasticity{};
-  EquationOfState<T> eos{};
-  Law flow{};
+  std::string name;               ///< for messages and files
+  std::string source;             ///< where the constants come from
+  T density{};                    ///< kg/m3
+  Elasticity<T> elasticity{};     ///< isotropic
+  EquationOfState<T> eos{};       ///< pressure
+  Law flow{};                     ///< flow stress
   T specific_heat{};              ///< J/(kg K); 0: isothermal
   T taylor_quinney = T(0.9);      ///< beta, the fraction of plastic work that heats
   T room_temperature = T(293);    ///< K, initial
   T melting_temperature = T(1e4); ///< K
   T rate_floor = T(1);            ///< smallest plastic strain rate given to the flow law, 1/s
-  Damage<T> damage{};
+  Damage<T> damage{};             ///< off unless set
 };
 
 /// Longitudinal sound speed, m/s.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/pack.hpp"
@@ -27,13 +28,16 @@ template <class T> Sym3<T> stress(const MaterialPoint<T> &p) { return p.deviator
 /// The material points of a body, one array for each quantity.
 template <class T> struct MaterialPoints {
   std::vector<Mat3<T>> velocity_gradient; ///< 1/s, of the last half step, with respect to the latest positions
-  std::vector<Sym3<T>> deviator;
-  std::vector<T> pressure, density, plastic_strain, plastic_strain_rate, temperature, damage, internal_energy;
+  std::vector<Sym3<T>> deviator;          ///< Pa
+  std::vector<T> pressure, density;       ///< Pa; kg/m3
+  std::vector<T> plastic_strain, plastic_strain_rate;  ///< equivalent; of the last step, 1/s
+  std::vector<T> temperature, damage, internal_energy; ///< K; 1 is failure; J/kg
 
   // Known from an earlier step and no part of the state: the flow stress at the smallest rate (Pa) at this plastic
   // strain and temperature (K).
-  std::vector<T> yield, yield_strain, yield_temperature;
+  std::vector<T> yield, yield_strain, yield_temperature; ///< Pa; 1; K
 
+  /// Number of points.
   Index size() const { return static_cast<Index>(density.size()); }
 };
 

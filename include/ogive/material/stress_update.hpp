@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/parallel.hpp"
@@ -81,8 +82,8 @@ void balance(const Metal<T, Law> &metal, const MaterialPoint<T> &old, MaterialPo
 
 /// A point after a step.
 template <class N> struct Advanced {
-  MaterialPoint<N> point;
-  N yield{}; ///< flow stress at the smallest rate, Pa, of a point that did not flow; else -1
+  MaterialPoint<N> point; ///< at the end of the step
+  N yield{};              ///< flow stress at the smallest rate, Pa, of a point that did not flow; else -1
 };
 
 /// Takes the trial stress back to the flow stress and heats the point (Liu et al. 2012, Eqs. 1-2).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/symmetry.hpp"
@@ -19,11 +20,11 @@ template <class T> struct PerforationCase {
   T sph_radius = T(24e-3);         ///< radius of the disc of particles, m
   T spacing = T(0.6e-3);           ///< particle distance asked for, m
   Lattice lattice = Lattice::ring; ///< cubic ones break up along their rows under tension
-  Nose nose = Nose::blunt;
-  T initial_velocity = T(303.5); ///< m/s
-  T friction = T(0);             ///< Coulomb, plate on projectile
-  bool rigid_projectile = false;
-  Extent extent = Extent::quarter;
+  Nose nose = Nose::blunt;         ///< of the paper's projectile
+  T initial_velocity = T(303.5);   ///< m/s
+  T friction = T(0);               ///< Coulomb, plate on projectile
+  bool rigid_projectile = false;   ///< it moves as one, and does not deform
+  Extent extent = Extent::quarter; ///< how much of the model is computed
 };
 
 } // namespace ogive

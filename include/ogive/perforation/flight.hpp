@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fem/projectile.hpp"
@@ -25,13 +26,13 @@ enum class FlightState { in_progress, perforated, stopped };
 
 /// The projectile's flight so far and what has been concluded from it.
 template <class T> struct Flight {
-  T plate_thickness{};  ///< m
-  T initial_velocity{}; ///< m/s
-  bool sharp = false;   ///< the nose has a length
-  std::vector<FlightSample<T>> samples;
-  FlightState state = FlightState::in_progress;
-  std::optional<T> velocity_at_shoulder; ///< sharp noses: when the shoulder left the rear face, m/s
-  std::optional<T> velocity_at_tail;     ///< sharp noses: when the tail left the rear face, m/s
+  T plate_thickness{};                          ///< m
+  T initial_velocity{};                         ///< m/s
+  bool sharp = false;                           ///< the nose has a length
+  std::vector<FlightSample<T>> samples;         ///< in the order of time
+  FlightState state = FlightState::in_progress; ///< what they say
+  std::optional<T> velocity_at_shoulder;        ///< sharp noses: when the shoulder left the rear face, m/s
+  std::optional<T> velocity_at_tail;            ///< sharp noses: when the tail left the rear face, m/s
 };
 
 /// Calls `f(value)` for each value of a sample: the list that checkpoints write and read.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/error.hpp"
@@ -17,8 +18,8 @@ namespace ogive {
 
 /// A shot that was made or computed.
 template <class T> struct TriedShot {
-  T velocity{}; ///< initial, m/s
-  bool perforated = false;
+  T velocity{};            ///< initial, m/s
+  bool perforated = false; ///< else stopped
 };
 
 /// What the shots say about the limit, m/s.
@@ -30,8 +31,8 @@ template <class T> struct LimitBracket {
 
 /// The limit as the middle of a bracket, m/s.
 template <class T> struct LimitEstimate {
-  T limit{};
-  T half_width{};
+  T limit{};      ///< m/s
+  T half_width{}; ///< of the bracket, m/s
 };
 
 namespace limit_search_detail {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/perforation/setup.hpp"
@@ -48,7 +49,9 @@ struct Pieces {
   std::vector<bool> failed; ///< by particle: it belongs to no piece
   Index plug = -1;          ///< the heaviest loose piece; -1 if there is none
 
+  /// True if particle i is sound and belongs to plug or debris.
   bool is_loose(Index i) const { return !failed[i] && !at_rim[of[i]]; }
+  /// True if particle i is sound and hangs on the plate.
   bool hangs(Index i) const { return !failed[i] && at_rim[of[i]]; }
 };
 

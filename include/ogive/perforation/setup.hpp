@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/fem/facets.hpp"
@@ -20,8 +21,8 @@ namespace ogive {
 
 /// Numerical choices of a perforation model; the defaults are the same for all cases.
 template <class T> struct PerforationOptions {
-  SphOptions<T> sph{};
-  HexOptions<T> hex{};
+  SphOptions<T> sph{};            ///< of the disc
+  HexOptions<T> hex{};            ///< of rim and projectile
   T rim_size_ratio = T(2.5);      ///< hex size at the disc's edge over the particle distance
   T contact_courant = T(0.4);     ///< of the time step that the contact's stiffness is made for
   T largest_added_mass = T(0.01); ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
@@ -31,8 +32,11 @@ template <class T> struct PerforationOptions {
 template <class T, class Law, class Kernel, class Form, class Rule>
 using PerforationModel = Model<T, SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>;
 
+/// The particles in the middle of the plate.
 template <class M> auto &disc(M &model) { return std::get<0>(model.bodies); }
+/// The hexes around them.
 template <class M> auto &rim(M &model) { return std::get<1>(model.bodies); }
+/// The projectile.
 template <class M> auto &projectile(M &model) { return std::get<2>(model.bodies); }
 
 /// Holds the nodes of a range at `radius` (m) from the z axis or beyond in all directions.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/contact/force.hpp"
@@ -10,14 +11,14 @@ namespace ogive {
 /// Where the energy of the whole model is, J (symmetric copies included). All but `kinetic` and `elastic` are work done
 /// since the start.
 template <class T> struct Energy {
-  T kinetic{};
-  T elastic{};
-  T plastic{}; ///< work of the stresses that is not elastic
-  T hourglass{};
-  T viscous{}; ///< artificial and bulk viscosity
-  T contact{}; ///< in penalty springs
-  T friction{};
-  T external{}; ///< taken by supports; they do not move
+  T kinetic{};   ///< of all nodes
+  T elastic{};   ///< stored in the metal
+  T plastic{};   ///< work of the stresses that is not elastic
+  T hourglass{}; ///< work of hourglass control
+  T viscous{};   ///< artificial and bulk viscosity
+  T contact{};   ///< in penalty springs
+  T friction{};  ///< heat of Coulomb friction
+  T external{};  ///< taken by supports; they do not move
 };
 
 /// Sum of all parts, J: constant in time.

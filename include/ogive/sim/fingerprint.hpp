@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/sim/hash.hpp"
@@ -14,23 +15,30 @@ namespace ogive {
 
 /// Collects what tells one model from another.
 struct Fingerprint {
-  std::uint64_t hash = hash_start;
+  std::uint64_t hash = hash_start; ///< of all that has been added
 
+  /// Adds a text with its length.
   void add(std::string_view text) { hash = hash_bytes(hash_word(text.size()), text); }
+  /// Adds a whole number.
   void add(std::integral auto whole) { hash = hash_word(static_cast<std::uint64_t>(whole)); }
   /// Rounded, so that the last bits of another compiler or processor make no other model.
   void add(std::floating_point auto number) {
     const auto rounded = static_cast<float>(number);
     hash = hash_word(rounded == rounded ? std::bit_cast<std::uint32_t>(rounded) : 0xffffffffU);
   }
+  /// Adds a choice.
   template <class E>
   requires std::is_enum_v<E>
   void add(E choice) { add(static_cast<int>(choice)); }
+  /// Adds which mirror planes there are.
   void add(SymmetryPlanes planes) { add(planes.x), add(planes.y); }
+  /// Adds a range of nodes.
   void add(NodeRange range) { add(range.begin), add(range.end); }
+  /// Adds all values.
   template <class V, std::size_t n> void add(const std::array<V, n> &values) {
     for (const V &value : values) add(value);
   }
+  /// Adds their number and all values.
   template <class V> void add(const std::vector<V> &values) {
     add(values.size());
     for (const V &value : values) add(value);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/contact/node_to_surface.hpp"
@@ -16,26 +17,27 @@ namespace ogive {
 
 /// Nodes that move as one, in the directions they are free in: a rigid body without rotation.
 struct RigidPart {
-  NodeRange nodes{};
+  NodeRange nodes{}; ///< that move as one
 };
 
 /// Nodes, the bodies that connect them, and what acts between bodies.
 template <class T, class... Bodies> struct Model {
-  Nodes<T> nodes;
-  std::tuple<Bodies...> bodies;
-  SymmetryPlanes symmetry{};
-  std::vector<NodeToSurface<T>> contacts{};
-  std::vector<Tie<T>> ties{};
-  std::vector<RigidPart> rigid_parts{};
+  Nodes<T> nodes;                           ///< of all bodies
+  std::tuple<Bodies...> bodies;             ///< of particles or hexes
+  SymmetryPlanes symmetry{};                ///< mirror planes
+  std::vector<NodeToSurface<T>> contacts{}; ///< between bodies
+  std::vector<Tie<T>> ties{};               ///< between bodies
+  std::vector<RigidPart> rigid_parts{};     ///< bodies that do not deform
 
-  T time = T(0); ///< s, of the positions
-  std::int64_t steps = 0;
+  T time = T(0);                             ///< s, of the positions
+  std::int64_t steps = 0;                    ///< made so far
   T last_step = T(0);                        ///< s, interval before the present time
   T last_kick = T(0);                        ///< s, interval over which the last forces changed the velocities
   PhaseTimes times{};                        ///< s of wall time, of all steps and runs
   Vec3<T> support_impulse = Vec3<T>::Zero(); ///< N s, given by held nodes to the computed part of the model
 };
 
+/// Nodes and bodies tell the type of the model.
 template <class T, class... Bodies> Model(Nodes<T>, std::tuple<Bodies...>, SymmetryPlanes) -> Model<T, Bodies...>;
 
 /// Calls `f(body)` for each body.

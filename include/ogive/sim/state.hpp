@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/contact/search.hpp"
@@ -14,10 +15,11 @@ namespace ogive {
 
 /// An array that has `full` entries, or none before the first step.
 template <class Values> struct FullOrEmpty {
-  Values &values;
-  std::size_t full;
+  Values &values;   ///< the array
+  std::size_t full; ///< its length unless it is empty
 };
 
+/// The array tells the type.
 template <class Values> FullOrEmpty(Values &, std::size_t) -> FullOrEmpty<Values>;
 
 /// Calls `f(name, value)` for all that a run changes and needs to go on to the same bits: the one list that checkpoints

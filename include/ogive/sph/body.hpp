@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/nodes.hpp"
@@ -16,12 +17,12 @@ namespace ogive {
 /// The renormalised symmetric form: gradients corrected so that linear fields are exact, forces their transpose
 /// (Randles & Libersky 1996; Bonet & Lok 1999).
 struct RenormalisedForm {
-  static constexpr bool corrected = true;
+  static constexpr bool corrected = true; ///< B = M^-1
 };
 
 /// The standard symmetric form without correction.
 struct StandardForm {
-  static constexpr bool corrected = false;
+  static constexpr bool corrected = false; ///< B = I
 };
 
 /// Numerical parameters of particles; the defaults are frozen for all cases.
@@ -37,27 +38,30 @@ template <class T> struct SphOptions {
 
 /// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
 template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = RenormalisedForm> struct SphBody {
+  /// Number type.
   using Scalar = T;
+  /// Smoothing kernel.
   using Kernel = Kernel_;
+  /// RenormalisedForm or StandardForm.
   using Form = Form_;
-  std::string name;
-  Metal<T, Law> metal;
-  SphOptions<T> options{};
-  SymmetryPlanes symmetry{};
-  T spacing{}; ///< particle distance, m
-  NodeRange nodes{};
-  MaterialPoints<T> points;
+  std::string name;              ///< for messages and files
+  Metal<T, Law> metal;           ///< the same in all particles
+  SphOptions<T> options{};       ///< numerical parameters
+  SymmetryPlanes symmetry{};     ///< mirror planes
+  T spacing{};                   ///< particle distance, m
+  NodeRange nodes{};             ///< one for each particle
+  MaterialPoints<T> points;      ///< state of the metal
   std::vector<T> point_mass;     ///< kg, constant
   std::vector<T> viscous_energy; ///< J, work of artificial viscosity: each particle's half of its pairs
-  Neighbours<T> neighbours;
-  PairData<T> pair_data;
+  Neighbours<T> neighbours;      ///< lists, made anew when particles have moved
+  PairData<T> pair_data;         ///< what neighbours see, made anew in each step
 };
 
 /// Particles that fill a shape: positions in m, and the volume of each in m3.
 template <class T> struct ParticleLayout {
-  T spacing{}; ///< m
-  std::vector<Vec3<T>> positions;
-  std::vector<T> volumes;
+  T spacing{};                    ///< m
+  std::vector<Vec3<T>> positions; ///< m
+  std::vector<T> volumes;         ///< m3
 };
 
 /// Adds the particles of `layout` as nodes of mass density * volume. Throws SetupError if there are none, or if

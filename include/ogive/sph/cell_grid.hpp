@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/types.hpp"
@@ -10,9 +11,9 @@ namespace ogive {
 
 /// Points sorted into cubic cells, x fastest, so that cells which are neighbours in x are one contiguous range.
 template <class T> struct CellGrid {
-  Vec3<T> origin;
-  T inverse_size = T(0);
-  std::array<Index, 3> cells{};
+  Vec3<T> origin;                ///< least coordinates of the cells, m
+  T inverse_size = T(0);         ///< 1 over the edge of a cell, 1/m
+  std::array<Index, 3> cells{};  ///< number along x, y and z
   std::vector<Index> cell_begin; ///< number of cells + 1
   std::vector<Index> order;      ///< point of each sorted place
   std::vector<T> x, y, z;        ///< sorted positions, m

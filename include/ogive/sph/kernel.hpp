@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/pack.hpp"
@@ -24,11 +25,13 @@ inline constexpr double kernel_support = 2.0;
 
 /// Cubic B-spline (Monaghan & Lattanzio 1985), written with truncated powers so that it has no branch.
 struct CubicSpline {
-  static constexpr double norm = 1.0 / std::numbers::pi;
+  static constexpr double norm = 1.0 / std::numbers::pi; ///< makes W integrate to one
+  /// w(u) with u = r/h.
   template <class T> static T shape(T u) {
     const T far = std::max(T(2) - u, T(0)), near = std::max(T(1) - u, T(0));
     return T(0.25) * far * far * far - near * near * near;
   }
+  /// (dw/du)/u.
   template <class T> static T slope_over_u(T u, T inverse_u) {
     using std::max;
     // Scaled so that their squares need no factor: 3 (1 - u)^2 - 3/4 (2 - u)^2.
@@ -40,11 +43,13 @@ struct CubicSpline {
 
 /// Wendland C2 (Wendland 1995), no pairing instability.
 struct WendlandC2 {
-  static constexpr double norm = 21.0 / (16.0 * std::numbers::pi);
+  static constexpr double norm = 21.0 / (16.0 * std::numbers::pi); ///< makes W integrate to one
+  /// w(u) with u = r/h.
   template <class T> static T shape(T u) {
     const T s = std::max(T(1) - T(0.5) * u, T(0));
     return s * s * s * s * (T(2) * u + T(1));
   }
+  /// (dw/du)/u.
   template <class T> static T slope_over_u(T u, T) {
     using std::max;
     const T s = max(T(1) - T(0.5) * u, T(0));

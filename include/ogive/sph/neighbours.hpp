@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/pack.hpp"
@@ -19,10 +20,10 @@ namespace ogive {
 
 /// Mirror image of a particle: `flip_x` mirrors at x = 0, `flip_y` at y = 0.
 struct MirrorImage {
-  Index parent = 0; ///< particle
-  Index place = 0;  ///< of the parent
-  bool flip_x = false;
-  bool flip_y = false;
+  Index parent = 0;    ///< particle
+  Index place = 0;     ///< of the parent
+  bool flip_x = false; ///< mirrored at x = 0
+  bool flip_y = false; ///< mirrored at y = 0
 };
 
 /// Neighbour lists of clusters: `lanes<T>` particles that lie close together share one list, so that a loop works on
@@ -52,45 +53,57 @@ template <class N> auto bits(N &n, Index c) { return n.within.begin() + (n.clust
 
 /// Writes the bits of a cluster, entry by entry.
 template <class Words> struct BitWriter {
-  Words word;
-  std::uint64_t bits = 0;
-  int count = 0;
+  Words word;             ///< where the next word goes
+  std::uint64_t bits = 0; ///< of the word that is being filled
+  int count = 0;          ///< of them
+  /// Appends a bit.
   void push(bool bit) {
     bits |= std::uint64_t(bit) << count;
     if (++count == 64) *word++ = std::exchange(bits, 0), count = 0;
   }
+  /// Writes a word that is not full; to be called last.
   void finish() {
     if (count > 0) *word = bits;
   }
 };
 
 // Clang deduces the arguments of aggregates from version 17 on.
+/// The words tell the type.
 template <class Words> BitWriter(Words) -> BitWriter<Words>;
 
 /// The entries of a row whose bits are set.
 template <class Words> struct SetEntries {
+  /// Behind the last entry.
   struct End {};
+  /// Goes from one set bit to the next.
   struct Iterator {
-    const Index *places;
-    const Index *last;
-    Words word;
-    std::uint64_t bits;
+    const Index *places; ///< of the present word's first entry
+    const Index *last;   ///< end of the row
+    Words word;          ///< where the next word goes
+    std::uint64_t bits;  ///< of the present word that are left
+    /// The place.
     Index operator*() const { return places[std::countr_zero(bits)]; }
+    /// On to the next.
     Iterator &operator++() { return bits &= bits - 1, skip_empty(), *this; }
+    /// Whether there is an entry.
     bool operator!=(End) const { return places < last; }
+    /// On to a word that has a bit.
     void skip_empty() {
       while (bits == 0 && (places += 64) < last) bits = *++word;
     }
   };
-  std::span<const Index> places;
-  Words words;
+  std::span<const Index> places; ///< the row
+  Words words;                   ///< its bits
+  /// The first set entry.
   Iterator begin() const {
     Iterator first{places.data(), places.data() + places.size(), words, places.empty() ? 0 : *words};
     return first.skip_empty(), first;
   }
+  /// Behind the last one.
   End end() const { return {}; }
 };
 
+/// The words tell the type.
 template <class Words> SetEntries(std::span<const Index>, Words) -> SetEntries<Words>;
 
 /// The places within the support of some particle of cluster c, as the last velocity gradient found them.
@@ -137,8 +150,8 @@ template <class T> std::vector<Index> column_order(std::span<const Vec3<T>> posi
 
 /// Points that may be near a cluster, in a multiple of a pack.
 template <class T> struct Candidates {
-  std::vector<Index> place;
-  std::vector<T> x, y, z;
+  std::vector<Index> place; ///< of each point
+  std::vector<T> x, y, z;   ///< m
 };
 
 /// The points of the grid whose cells lie within `reach` of the box from `low` to `high` (m).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "ogive/core/types.hpp"
@@ -18,6 +19,7 @@ template <class T> struct PairData {
   std::array<std::vector<T>, 9> flux;       ///< corrected stress G = sigma B times the volume, row first, N m
 };
 
+/// Makes room for `n` places in all arrays but `correction`.
 template <class T> void resize(PairData<T> &d, std::size_t n) {
   for (auto *v : {&d.x, &d.y, &d.z, &d.vx, &d.vy, &d.vz, &d.volume, &d.density, &d.smoothing}) v->resize(n);
   for (auto &v : d.flux) v.resize(n);
