@@ -232,3 +232,30 @@ TEST_CASE("damage with impossible constants is refused by name", "[material]") {
   metal.damage.failure_strain = {1, 0, 0, 0, 0, 0};
   CHECK_THROWS_WITH(check(metal), Catch::Contains("reference rate"));
 }
+
+TEST_CASE("damage softens the flow stress", "[material]") {
+  Steel metal = isothermal(DamageLaw::johnson_cook, FailureEffect::no_tension);
+  metal.damage.softening = 0.3;
+  MaterialPoint<double> p = initial_point(metal);
+  p.plastic_strain = 0.2, p.damage = 0.5;
+  const double sound = flow_stress(metal.flow, 0.2, metal.rate_floor, 293.0).value;
+  const double q = 2 * sound, dt = 1.0;
+  // So slow that the rate stays at its floor; the increment is then that of the hardening alone.
+  const auto plastic = radial_return(metal, p, q, dt);
+  const double hardened = flow_stress(metal.flow, 0.2 + plastic.increment, metal.rate_floor, 293.0).value;
+  CHECK(plastic.flow_stress == Approx((1 - 0.3 * 0.5) * hardened).epsilon(1e-7));
+  p.damage = 7;
+  CHECK(radial_return(metal, p, 0.5 * sound, dt).flow_stress == Approx(0.7 * sound).epsilon(1e-12)); // D counts to 1
+}
+
+TEST_CASE("a body of finer particles bears more strain before it fails", "[material]") {
+  Damage<double> damage = isothermal(DamageLaw::johnson_cook, FailureEffect::no_tension).damage;
+  damage.critical_work = 3e8;
+  const double strain = failure_strain(damage.failure_strain, 0.4, 1e3, 0.2);
+  CHECK(failure_strain(regularised(damage, 1e-4).failure_strain, 0.4, 1e3, 0.2) == strain); // no length: for any
+  damage.length = 0.5e-3;
+  const Damage<double> fine = regularised(damage, 0.25e-3);
+  CHECK(failure_strain(fine.failure_strain, 0.4, 1e3, 0.2) == Approx(2 * strain));
+  CHECK(fine.critical_work == Approx(6e8));
+  CHECK(failure_strain(regularised(damage, 1e-3).failure_strain, 0.4, 1e3, 0.2) == Approx(0.5 * strain));
+}

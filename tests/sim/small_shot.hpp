@@ -14,7 +14,7 @@ inline PerforationCase<double> small_case(Nose nose, Extent extent) {
   c.clamp_radius = 40e-3;
   c.sph_radius = 15e-3;
   c.spacing = 1.5e-3;
-  c.nose = nose;
+  c.projectile = paper_projectile<double>(nose);
   c.initial_velocity = 300;
   c.friction = 0.1;
   c.extent = extent;
@@ -33,7 +33,7 @@ template <class Law> Metal<double, Law> brittle(Metal<double, Law> metal, Failur
   return metal;
 }
 
-/// The same with all that a shot can have: friction, damage with its effect, a smoothing length that follows the
+/// The same with all that a shot can have: friction, damage with its effect, bonds, a smoothing length that follows the
 /// density, mirror planes.
 template <class Rule, class Form = RenormalisedForm>
 auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical) {
@@ -43,8 +43,10 @@ auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical) {
   plate.damage.law = DamageLaw::johnson_cook;
   plate.damage.effect = effect;
   plate.damage.failure_strain = {0.1, 0, 0, 0, 0, 1};
+  plate.damage.softening = 0.3;
   PerforationOptions<double> numerics;
   numerics.sph.variable_smoothing = true;
+  numerics.sph.control.stiffness = 0.3;
   return make_perforation<CubicSpline, Form, Rule>(c, plate, library::arne_tool_steel<double>(), numerics);
 }
 

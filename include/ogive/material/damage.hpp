@@ -30,7 +30,20 @@ template <class T> struct Damage {
   FailureEffect effect = FailureEffect::none; ///< what happens at 1
   FailureStrain<T> failure_strain{};          ///< of the Johnson-Cook law
   T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa
+  T softening = T(0);                         ///< Dc: the flow stress is multiplied by 1 - Dc D (Boervik et al. 2001)
+  T length = T(0); ///< particle distance for which the constants hold, m, see regularised(); 0: for any
 };
+
+/// The damage of a body of particles `spacing` (m) apart. A band of localised shear is as wide as some particle
+/// distances, however fine they are, so that the same displacement means more strain in finer ones: failure strain and
+/// critical work are multiplied by length/spacing, and the displacement that breaks a band stays.
+template <class T> Damage<T> regularised(Damage<T> damage, T spacing) {
+  if (damage.length > T(0)) {
+    const T finer = damage.length / spacing;
+    damage.failure_strain.D1 *= finer, damage.failure_strain.D2 *= finer, damage.critical_work *= finer;
+  }
+  return damage;
+}
 
 /// True if a point with the damage `D` has failed, so that failure shows.
 template <class T> bool is_failed(const Damage<T> &damage, T D) {

@@ -26,7 +26,13 @@ PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> 
   const T heating = metal.specific_heat > T(0) ? metal.taylor_quinney / (metal.density * metal.specific_heat) : T(0);
   const N floor = metal.rate_floor;
 
-  const FlowStress<N> still = flow_stress(metal.flow, point.plastic_strain, floor, point.temperature);
+  const N sound = T(1) - metal.damage.softening * min(point.damage, N(1));
+  const auto softened = [&](const N &strain, const N &rate, const N &temperature) {
+    FlowStress<N> s = flow_stress(metal.flow, strain, rate, temperature);
+    s.value *= sound, s.by_plastic_strain *= sound, s.by_rate *= sound, s.by_temperature *= sound;
+    return s;
+  };
+  const FlowStress<N> still = softened(point.plastic_strain, floor, point.temperature);
   const auto yields = q_trial > still.value;
   if (!any(yields)) return {N(0), still.value};
 
@@ -39,7 +45,7 @@ PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> 
   for (int iteration = 0; iteration < 60; ++iteration) {
     const N rate = increment * inverse_dt;
     const N temperature = point.temperature + heating * sigma.value * increment;
-    sigma = flow_stress(metal.flow, N(point.plastic_strain + increment), N(max(rate, floor)), temperature);
+    sigma = softened(N(point.plastic_strain + increment), N(max(rate, floor)), temperature);
     const N excess = q_trial - three_g * increment - sigma.value;
     open = open & (abs(excess) > tolerance);
     if (!any(open)) break;

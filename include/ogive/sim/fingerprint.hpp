@@ -52,9 +52,9 @@ private:
 
 /// Adds all constants of a metal; the flow law, of whatever kind, by stresses that it gives.
 template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, Law> &m) {
-  for (const T number :
-       {m.density, m.elasticity.young, m.elasticity.poisson, m.eos.hugoniot_slope, m.eos.gruneisen, m.specific_heat,
-        m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor, m.damage.critical_work})
+  for (const T number : {m.density, m.elasticity.young, m.elasticity.poisson, m.eos.hugoniot_slope, m.eos.gruneisen,
+                         m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,
+                         m.damage.critical_work, m.damage.softening})
     print.add(number);
   const FailureStrain<T> &f = m.damage.failure_strain;
   for (const T number : {f.D1, f.D2, f.D3, f.D4, f.D5, f.reference_rate}) print.add(number);
@@ -80,7 +80,9 @@ template <class Body> void add_body(Fingerprint &print, const Body &body) {
   } else {
     print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing),
         print.add(Body::Form::corrected);
-    for (const auto number : {o.smoothing_ratio, o.linear_viscosity, o.quadratic_viscosity, o.skin_ratio, o.courant})
+    for (const auto number :
+         {o.smoothing_ratio, o.linear_viscosity, o.quadratic_viscosity, o.skin_ratio, o.courant, o.largest_strain,
+          o.control.stiffness, o.control.strength, o.control.while_flowing, o.control.reach})
       print.add(number);
     for (const double u : {0.3, 0.9, 1.6}) print.add(Body::Kernel::norm * Body::Kernel::shape(u));
   }

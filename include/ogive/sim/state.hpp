@@ -50,6 +50,8 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
       for_each_hex_field(body, named);
     } else {
       field("viscous_energy", body.viscous_energy);
+      field("moments of bonds", body.bonds.moment);
+      field("energy of bonds", body.bonds.energy);
       field("support of the lists", body.neighbours.support);
       FullOrEmpty built_at{body.neighbours.built_at, body.point_mass.size()};
       field("positions of the lists", built_at);

@@ -4,6 +4,7 @@
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
 #include "ogive/material/metal.hpp"
+#include "ogive/sph/bonds.hpp"
 #include "ogive/sph/kernel.hpp"
 #include "ogive/sph/neighbours.hpp"
 #include "ogive/sph/pair_data.hpp"
@@ -32,6 +33,7 @@ template <class T> struct SphOptions {
   T quadratic_viscosity = T(1.5);  ///< Monaghan's beta
   bool variable_smoothing = false; ///< h follows the density: h = h0 (rho0/rho)^(1/3), at most 1.3 h0
   T skin_ratio = T(0.25);          ///< reach of the neighbour lists beyond the support, over the particle distance
+  ZeroEnergyControl<T> control{};  ///< off
   T largest_strain = T(0.05);      ///< of a particle in a step
   T courant = T(0.5);              ///< time step = courant * particle distance / longitudinal sound speed
 };
@@ -55,6 +57,7 @@ template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = Renorma
   std::vector<T> viscous_energy; ///< J, work of artificial viscosity: each particle's half of its pairs
   Neighbours<T> neighbours;      ///< lists, made anew when particles have moved
   PairData<T> pair_data;         ///< what neighbours see, made anew in each step
+  Bonds<T> bonds;                ///< against zero-energy modes; none unless the options ask for them
 };
 
 /// Particles that fill a shape: positions in m, and the volume of each in m3.
@@ -77,6 +80,7 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
   SphBody<T, Law, Kernel, Form> body;
   body.name = std::move(name);
   body.metal = metal;
+  body.metal.damage = regularised(metal.damage, layout.spacing);
   body.options = options;
   body.symmetry = symmetry;
   body.spacing = layout.spacing;
@@ -88,6 +92,8 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
   }
   fill(body.points, body.nodes.size(), initial_point(metal));
   body.viscous_energy.assign(body.nodes.size(), T(0));
+  if (const ZeroEnergyControl<T> &control = options.control; control.stiffness > T(0))
+    body.bonds = make_bonds<T>(layout.positions, symmetry, control.reach * layout.spacing);
   return body;
 }
 
@@ -142,7 +148,9 @@ template <class T, class Law, class K, class F> T viscous_energy(const SphBody<T
   return ordered_sum(body.points.size(), T(0), [&](Index i) { return body.viscous_energy[i]; });
 }
 
-/// Particles have no hourglass modes that are controlled.
-template <class T, class Law, class K, class F> T hourglass_energy(const SphBody<T, Law, K, F> &) { return T(0); }
+/// Work taken by the control of zero-energy modes since the start, J.
+template <class T, class Law, class K, class F> T hourglass_energy(const SphBody<T, Law, K, F> &body) {
+  return ordered_sum(static_cast<Index>(body.bonds.energy.size()), T(0), [&](Index i) { return body.bonds.energy[i]; });
+}
 
 } // namespace ogive

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/sph/gradient.hpp"
+#include "ogive/sph/control.hpp"
 
 namespace ogive {
 
@@ -102,6 +102,7 @@ void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
     });
   };
   body.options.variable_smoothing ? drive(std::true_type{}) : drive(std::false_type{});
+  if (!body.bonds.begin.empty()) add_control_force(body, nodes, dt);
 }
 
 } // namespace ogive
