@@ -30,3 +30,15 @@ one mie_gruneisen 'Mie–Grüneisen pressure' --pressure mie_gruneisen
 one radius_18 'disc of particles 18 mm in radius' --sph-radius-mm 18
 one clamp_150 'clamp at 150 mm' --clamp-radius-mm 150
 one friction 'friction 0.1' --friction 0.1
+one contact_0.02 'contact stiffness 0.02 (0.1)' --contact-stiffness 0.02
+one contact_0.3 'contact stiffness 0.3 (0.1)' --contact-stiffness 0.3
+one alpha_0.03 'linear viscosity 0.03 (0.06)' --linear-viscosity 0.03
+one alpha_0.2 'linear viscosity 0.2 (0.06)' --linear-viscosity 0.2
+one beta_0.5 'quadratic viscosity 0.5 (1.5)' --quadratic-viscosity 0.5
+one beta_3 'quadratic viscosity 3 (1.5)' --quadratic-viscosity 3
+# The rate floor belongs to the metal.
+for floor in 0.001 100; do
+  [ -e "$folder/floor_$floor.toml" ] || [ ! -e "$folder/base/material.toml" ] ||
+    sed -E "s/^(rate_floor_per_s = )[^ ]+/\1$floor/" "$folder/base/material.toml" > "$folder/floor_$floor.toml"
+  one "floor_$floor" "smallest rate $floor/s (1/s)" --material "$folder/floor_$floor.toml"
+done

@@ -25,6 +25,10 @@ foreach(program IN ITEMS perforate calibrate section)
   endif()
 endforeach()
 
+# Where perforate looks for the tests that a shot is compared with.
+file(GLOB tables apps/data/*.csv)
+install(FILES ${tables} apps/data/README.md DESTINATION "${CMAKE_INSTALL_DATADIR}/ogive/data")
+
 set(doc_dir "${CMAKE_INSTALL_DATADIR}/doc/ogive")
 install(FILES CHANGELOG.md CITATION.cff README.md DESTINATION "${doc_dir}")
 install(FILES LICENSE DESTINATION "${doc_dir}" RENAME copyright)

@@ -6,8 +6,10 @@
 
 int main() {
   using namespace ogive;
-  const PerforationCase<double> shot{
-      .thickness = 12e-3, .spacing = 1.2e-3, .nose = Nose::blunt, .initial_velocity = 303.5};
+  const PerforationCase<double> shot{.thickness = 12e-3,
+                                     .spacing = 1.2e-3,
+                                     .projectile = paper_projectile<double>(Nose::blunt),
+                                     .initial_velocity = 303.5};
   auto model = make_perforation(shot, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
   const RunOptions<double> until{.end_time = 100e-6, .observe_every = 5e-6};
   const RunResult result = run(model, until, [](const auto &now, const Energy<double> &energy) {

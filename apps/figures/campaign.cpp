@@ -43,6 +43,7 @@ std::vector<input::Flag> flags(const Campaign &campaign) {
   using input::Flag;
   return {{"figure", "one of " + figures_of(campaign)},
           {"quick", "", Flag::none},
+          {"method", "sfm or stabilised"},
           {"model", "mjc, jc or both"},
           {"spacing_mm", "a number between " + text_of(spacing_limits)},
           {"jobs", "a whole number from 1"},
@@ -62,6 +63,7 @@ std::string help(const Campaign &campaign) {
          "was.\n\n" +
          item("figure N", "this one alone, of " + figures_of(campaign)) +
          item("quick", "coarse: particles 1.5 mm apart, in vtk_out/figures_quick") +
+         item("method sfm|stabilised", "of perforate; adds its curves to the plots, with mjc only [sfm: the paper's]") +
          item("model mjc|jc|both", "flow stress; pictures have mjc only [both]") +
          item("spacing_mm NUMBER",
               "particle distance, " + text_of(spacing_limits, " to ") + " [0.6, as in the paper]") +
@@ -94,6 +96,11 @@ void apply(Options &o, const Campaign &campaign, const Given &given) {
   if (given.key == "jobs") o.jobs = whole_number(given, 1, 1000);
   if (given.key == "out") o.out = input::line_given(given, "the name of a folder");
   if (given.key == "perforate") o.perforate = input::line_given(given, "the name of a program");
+  if (given.key == "method") {
+    o.method = given.value;
+    if (std::find(methods.begin(), methods.end(), o.method) == methods.end())
+      refuse(given, "must be one of sfm, stabilised");
+  }
   if (given.key == "model") {
     o.model = given.value;
     if (o.model != "mjc" && o.model != "jc" && o.model != "both") refuse(given, "must be mjc, jc or both");
@@ -183,6 +190,21 @@ void draw(const Campaign &campaign, const Options &o, const std::vector<SeriesKe
   }
 }
 
+/// The series of the options' method, and those of other methods that have rows.
+std::vector<SeriesKey> series_known(const Campaign &campaign, Options o) {
+  const std::string run_method = o.method;
+  const auto rows = read_all_rows(o.out);
+  std::vector<SeriesKey> series;
+  for (const char *method : methods) {
+    o.method = method;
+    if (o.method != run_method &&
+        std::none_of(rows.begin(), rows.end(), [&](const ShotRow &row) { return row.key.method == o.method; }))
+      continue;
+    for (const SeriesKey &key : series_in(listed_shots(campaign, o, FIGURES_DATA_FOLDER))) series.push_back(key);
+  }
+  return series;
+}
+
 int run(const Campaign &campaign, const Options &o) {
   const auto shots = share_of(listed_shots(campaign, o, FIGURES_DATA_FOLDER), o);
   const Outcome outcome = o.run ? run_all(campaign, o, shots) : Outcome{};
@@ -193,7 +215,7 @@ int run(const Campaign &campaign, const Options &o) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
-  if (o.shards == 1) draw(campaign, o, series_in(shots));
+  if (o.shards == 1) draw(campaign, o, series_known(campaign, o));
   return outcome.failed.empty() ? success : shots_failed;
 }
 
@@ -203,7 +225,7 @@ std::vector<ListedShot> listed_shots(const Campaign &campaign, const Options &o,
   const fs::path file = data / "figure_shots.csv";
   std::vector<ListedShot> shots;
   for (const char *model : {"mjc", "jc"}) {
-    if (o.model != "both" && o.model != model) continue;
+    if (o.method != methods[0] ? model != std::string_view("mjc") : o.model != "both" && o.model != model) continue;
     for (const auto &row : experiment::read_rows(file)) {
       if (row.size() != 9) throw ogive::SetupError(file.string() + ": fields in a row: must be 9");
       const auto figure = ogive::number_from(row[0]), thickness = ogive::number_from(row[6]),
@@ -212,7 +234,7 @@ std::vector<ListedShot> listed_shots(const Campaign &campaign, const Options &o,
         throw ogive::SetupError(file.string() + ": figure, thickness_mm and initial_velocity_mps must be numbers");
       if (row[1] != campaign.name || (row[3] != "both" && row[3] != model)) continue;
       ListedShot shot{static_cast<int>(*figure), row[2] == "picture", {}};
-      shot.task.key = {"sfm", model, row[4], row[5], *thickness, *velocity, o.spacing_mm};
+      shot.task.key = {o.method, model, row[4], row[5], *thickness, *velocity, o.spacing_mm};
       shot.task.frames_us = ogive::number_from(row[8]).value_or(0);
       // Fig. 9 and 13 are the limits of the plates of Fig. 6 and 12.
       const bool limits_too = !shot.picture && o.figure &&

@@ -3,6 +3,7 @@
 #include "limits.hpp"
 #include "run_shots.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,7 +18,8 @@ namespace figures {
 struct Options {
   std::optional<int> figure;  ///< this one alone
   bool quick = false;         ///< coarse: particles 1.5 mm apart
-  std::string model = "both"; ///< mjc, jc or both
+  std::string method = "sfm"; ///< that of the shots that are run; curves of all that are known are drawn
+  std::string model = "both"; ///< mjc, jc or both; other methods than the paper's have mjc only
   double spacing_mm = 0.6;
   int jobs = 1;  ///< shots at a time
   int shard = 1; ///< this part of `shards`
@@ -50,6 +52,9 @@ struct ListedShot {
   bool picture = false; ///< not a point of a curve
   Task task;
 };
+
+/// The methods of perforate that the figures know, the paper's first.
+inline constexpr std::array<const char *, 2> methods{"sfm", "stabilised"};
 
 /// The shots of figure_shots.csv that the options choose, in the order of the file, the modified law first; a shot that
 /// several figures need stands there once for each. Throws SetupError.

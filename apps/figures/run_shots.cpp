@@ -29,6 +29,7 @@ std::vector<std::string> arguments_of(const Workshop &workshop, const Task &task
   const auto number = [](double value) { return ogive::shortest(value); };
   std::vector<std::string> arguments = {
       workshop.perforate.string(),
+      "--method=" + key.method,
       "--model=" + key.model,
       "--material=" + key.material,
       "--nose=" + key.nose,

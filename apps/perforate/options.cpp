@@ -2,23 +2,17 @@
 
 #include "ogive/version.hpp"
 #include "options_material.hpp"
+#include "options_projectile.hpp"
 #include "options_table.hpp"
 #include "saved_case.hpp"
 
-#include <map>
+#include <cmath>
+#include <numbers>
 #include <ostream>
 
 namespace perforate {
 
 namespace {
-
-/// Where each value comes from: the flag, or file, line and key.
-using Origins = std::map<std::string, std::string>;
-
-std::string origin_of(const Origins &origins, const std::string &key) {
-  const auto found = origins.find(key);
-  return found == origins.end() ? flag_of(key) : found->second;
-}
 
 /// What a value of this option may be, to complete "must be" or "needs a value:".
 std::string allowed_text(const Entry &entry, double) { return "a number between " + text_of(entry.limits); }
@@ -105,14 +99,23 @@ void check(const Options &o, const Origins &origins) {
   };
   if (o.damage == DamageLaw::none && o.failure != FailureEffect::none)
     refuse(origin_of(origins, "failure"), choice_name(o.failure), "needs --damage jc or --damage cockcroft_latham");
+  if (o.damage == DamageLaw::none && o.damage_softening > 0)
+    refuse_value("damage_softening", o.damage_softening, "needs --damage jc or --damage cockcroft_latham");
+  if (o.damage == DamageLaw::none && o.damage_length_mm > 0)
+    refuse_value("damage_length_mm", o.damage_length_mm, "needs --damage jc or --damage cockcroft_latham");
   if (o.spacing_mm > o.thickness_mm / 2)
     refuse_value("spacing_mm", o.spacing_mm,
                  "must be at most half the thickness of the plate, " + shortest(o.thickness_mm / 2) + " mm");
-  const double smallest_disc = std::round(1e6 * (projectile_radius_mm + 2 * o.spacing_mm)) / 1e6;
+  const double turn = o.obliquity_deg * std::numbers::pi / 180;
+  const double smallest_disc =
+      std::round(1e6 * (o.diameter_mm / 2 / std::cos(turn) + o.thickness_mm * std::tan(turn) + 2 * o.spacing_mm)) / 1e6;
   if (o.sph_radius_mm < smallest_disc || o.sph_radius_mm >= o.clamp_radius_mm)
     refuse_value("sph_radius_mm", o.sph_radius_mm,
-                 "must lie between " + shortest(smallest_disc) + " mm, the projectile's radius and two spacings, and " +
-                     "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
+                 "must lie between " + shortest(smallest_disc) + " mm, " +
+                     (o.obliquity_deg > 0 ? "what the oblique projectile needs" : "the projectile's radius") +
+                     " and two spacings, and " + "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
+  if (o.obliquity_deg > 0 && o.extent == Extent::quarter)
+    refuse_value("obliquity_deg", o.obliquity_deg, "needs --extent half or --extent full");
   const double particles = estimated_particles(o);
   if (particles > most_particles)
     refuse_value("spacing_mm", o.spacing_mm,
@@ -152,6 +155,16 @@ Options parse_restart(const input::CommandLine &line, const Given &restart) {
 
 } // namespace
 
+DamageLaw default_damage(Method method) { return method == Method::sfm ? DamageLaw::none : DamageLaw::johnson_cook; }
+
+double default_softening(Method method) { return method == Method::sfm ? 0 : ogive::softening_of_damage; }
+
+double default_control_stiffness(Method method) { return ogive::options_of<double>(method).sph.control.stiffness; }
+
+double default_damage_length_mm(Method method) {
+  return method == Method::sfm ? 0 : std::round(ogive::length_of_damage * 1e6) / 1e3;
+}
+
 FailureEffect default_failure(DamageLaw damage) {
   return damage == DamageLaw::none ? FailureEffect::none : FailureEffect::no_tension;
 }
@@ -161,7 +174,10 @@ double default_end_us(Nose nose) { return nose == Nose::blunt ? 500 : 1500; }
 std::filesystem::path default_out(const Options &o) {
   return std::filesystem::path("vtk_out") /
          (label_of(o.material) + "_" + choice_name(o.model) + "_" + choice_name(o.nose) + "_" +
-          shortest(o.thickness_mm) + "mm_" + shortest(o.velocity_mps) + "mps");
+          (o.diameter_mm == Options{}.diameter_mm ? "" : shortest(o.diameter_mm) + "mm_on_") +
+          shortest(o.thickness_mm) + "mm_" + shortest(o.velocity_mps) + "mps" +
+          (o.obliquity_deg == 0 ? "" : "_" + shortest(o.obliquity_deg) + "deg") +
+          (o.method == Method::sfm ? "" : "_" + choice_name(o.method)));
 }
 
 double estimated_particles(const Options &o) {
@@ -194,15 +210,23 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
   }
   for (const Given &given : line.given) apply(options, origins, given);
 
+  if (!origins.contains("damage")) options.damage = default_damage(options.method);
   settle_material(options, origins);
+  if (options.damage != DamageLaw::none) {
+    if (!origins.contains("damage_softening")) options.damage_softening = default_softening(options.method);
+    if (!origins.contains("damage_length_mm")) options.damage_length_mm = default_damage_length_mm(options.method);
+  }
+  if (!origins.contains("control_stiffness")) options.control_stiffness = default_control_stiffness(options.method);
   if (!origins.contains("failure")) options.failure = default_failure(options.damage);
   if (!origins.contains("friction")) options.friction = default_friction(options.nose, options.material);
+  settle_projectile(options, origins);
   if (!origins.contains("end_us")) options.end_us = default_end_us(options.nose);
   if (!origins.contains("out")) options.out = default_out(options);
   check(options, origins);
   return options;
 }
 
+std::string name_of(Method method) { return choice_name(method); }
 std::string name_of(DamageLaw damage) { return choice_name(damage); }
 std::string name_of(FailureEffect failure) { return choice_name(failure); }
 

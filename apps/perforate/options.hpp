@@ -6,6 +6,7 @@
 #include "ogive/material/damage.hpp"
 #include "ogive/material/equation_of_state.hpp"
 #include "ogive/perforation/case.hpp"
+#include "ogive/perforation/method.hpp"
 #include "shared/material_file.hpp"
 
 #include <filesystem>
@@ -23,6 +24,7 @@ using ogive::DamageLaw;
 using ogive::Extent;
 using ogive::FailureEffect;
 using ogive::Lattice;
+using ogive::Method;
 using ogive::Nose;
 using ogive::PressureLaw;
 
@@ -43,14 +45,23 @@ struct Restart {
 
 /// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
 struct Options {
-  std::string material = "weldox_460e"; ///< a name of the library, or a file that ends in .toml
-  FlowModel model = FlowModel::mjc;     ///< parse() takes the file's where the material is one
-  DamageLaw damage = DamageLaw::none;
+  Method method = Method::sfm;
+  std::string material = "weldox_460e";        ///< a name of the library, or a file that ends in .toml
+  FlowModel model = FlowModel::mjc;            ///< parse() takes the file's where the material is one
+  DamageLaw damage = DamageLaw::none;          ///< parse() takes default_damage() where none is given
   FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
+  double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
+  double damage_length_mm = 0;                 ///< parse() takes default_damage_length_mm() where none is given
   double thickness_mm = 12;
   double clamp_radius_mm = 250;
 
   Nose nose = Nose::blunt;
+  double diameter_mm = 20;
+  double length_mm = 80;          ///< tip to tail; parse() takes that of the paper's nose, scaled with the diameter
+  double nose_length_mm = 0;      ///< of a conical or ogival nose; parse() takes that of the paper's, scaled likewise
+  double calibre_radius_head = 0; ///< of an ogive, instead of its nose length; 0: not given
+  double mass_g = 0;              ///< of the projectile; 0: by the density of its steel
+  double obliquity_deg = 0;       ///< between the line of flight and the plate's axis
   ProjectileKind projectile = ProjectileKind::deformable;
   double velocity_mps = 303.5;
   double friction = 0; ///< Coulomb; parse() takes default_friction() where none is given
@@ -65,6 +76,10 @@ struct Options {
   Smoothing smoothing = Smoothing::constant;
   ElementRule element = ElementRule::one_point;
   PressureLaw pressure = PressureLaw::linear;
+  double control_stiffness = 0; ///< parse() takes default_control_stiffness() where none is given
+  double contact_stiffness = ogive::PerforationOptions<double>{}.contact_stiffness;
+  double linear_viscosity = ogive::SphOptions<double>{}.linear_viscosity;
+  double quadratic_viscosity = ogive::SphOptions<double>{}.quadratic_viscosity;
 
   std::filesystem::path out = "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps"; ///< default_out() where none is given
   double output_every_us = 5;
@@ -88,9 +103,6 @@ inline constexpr char earlier_checkpoint_name[] = "checkpoint_before.bin";
 /// Wall time between two checkpoints of a run that has no interval for them.
 inline constexpr double checkpoint_minutes = 15;
 
-/// Radius of all projectiles of the paper, mm.
-inline constexpr double projectile_radius_mm = 10;
-
 /// Most particles that a run may have.
 inline constexpr double most_particles = 50e6;
 
@@ -99,13 +111,26 @@ inline constexpr double most_particles = 50e6;
 /// plate, and the metal of a file is taken for steel.
 double default_friction(Nose nose, const std::string &material);
 
+/// How damage grows unless the user says so: not at all in the paper's method; else as Johnson & Cook have it.
+DamageLaw default_damage(Method method);
+
+/// By how much damage 1 lowers the flow stress unless the user says so.
+double default_softening(Method method);
+
+/// Stiffness of the bonds against zero-energy modes unless the user says so, over the shear modulus.
+double default_control_stiffness(Method method);
+
+/// Particle distance for which the constants of damage hold unless the user says so, mm.
+double default_damage_length_mm(Method method);
+
 /// What failure does unless the user says so: no tension where damage grows. Our choice.
 FailureEffect default_failure(DamageLaw damage);
 
 /// Time at which a run ends, us: sharp noses take longer to pass the plate. Our choice.
 double default_end_us(Nose nose);
 
-/// vtk_out/<material, or the stem of its file>_<model>_<nose>_<thickness>mm_<velocity>mps
+/// vtk_out/<material, or the stem of its file>_<model>_<nose>_<thickness>mm_<velocity>mps, with diameter, obliquity and
+/// method where they are not those of the paper.
 std::filesystem::path default_out(const Options &options);
 
 /// Number of particles that a case will have, up to the edge of the disc.
@@ -134,6 +159,7 @@ std::string help();
 void prepare_out(const Options &options);
 
 /// The names of the choices, as the user writes them.
+std::string name_of(Method method);
 std::string name_of(DamageLaw damage);
 std::string name_of(FailureEffect failure);
 

@@ -65,10 +65,20 @@ std::string help() {
                                       "--threads may be given anew");
   text += help_item("--version", "print the version");
   text += help_item("--help", "print this text");
+  text += "\nCommands:\n";
+  text +=
+      help_item("limit", "find the ballistic limit of a case by bisection, shoot some times above it, print and draw "
+                         "the fitted curve of the residual velocity; options as above, --velocity-mps is the first "
+                         "shot, --width-mps X that of the bracket [5: ours]. Run again, it goes on");
+  text += help_item("mesh", "write the model of a case for ParaView and print its sizes and the quality of the hexes, "
+                            "without running it; options as above");
   text += "\nExamples:\n"
           "  perforate\n"
           "  perforate --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 214\n"
           "  perforate --material my_steel.toml --thickness-mm 10 --damage jc\n"
+          "  perforate --nose ogival --diameter-mm 7.62 --calibre-radius-head 3 --mass-g 10 --obliquity-deg 30\n"
+          "            --extent half --thickness-mm 6 --velocity-mps 800\n"
+          "  perforate limit --thickness-mm 8\n"
           "  perforate --config vtk_out/my_case/case.toml --velocity-mps 250 --out vtk_out/my_case_250\n"
           "  perforate --restart vtk_out/my_case/" +
           checkpoint +

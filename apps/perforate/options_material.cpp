@@ -93,6 +93,8 @@ AnyMetal plate_of(const Options &o) {
         metal.eos.law = o.pressure;
         metal.damage.law = o.damage;
         metal.damage.effect = o.failure;
+        metal.damage.softening = o.damage_softening;
+        metal.damage.length = o.damage_length_mm * 1e-3;
       },
       any);
   return any;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -28,6 +29,14 @@ using input::printable;
 using input::refuse;
 using input::shortest;
 using input::text_of;
+
+/// Where each value comes from: the flag, or file, line and key.
+using Origins = std::map<std::string, std::string>;
+
+inline std::string origin_of(const Origins &origins, const std::string &key) {
+  const auto found = origins.find(key);
+  return found == origins.end() ? flag_of(key) : found->second;
+}
 
 /// One option. Its flag is `key` with hyphens and two in front.
 struct Entry {
@@ -75,6 +84,9 @@ constexpr auto choices(PressureLaw) {
       {{PressureLaw::linear, "linear"}, {PressureLaw::mie_gruneisen, "mie_gruneisen"}});
 }
 
+constexpr auto choices(Method) {
+  return std::to_array<Choice<Method>>({{Method::sfm, "sfm"}, {Method::stabilised, "stabilised"}});
+}
 constexpr auto choices(DamageLaw) {
   return std::to_array<Choice<DamageLaw>>(
       {{DamageLaw::none, "none"}, {DamageLaw::johnson_cook, "jc"}, {DamageLaw::cockcroft_latham, "cockcroft_latham"}});
@@ -98,16 +110,63 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   const char *const plate = "Plate";
   f(Entry{plate, "material", "of the plate", "paper"}, o.material);
   f(Entry{plate, "model", "flow stress, modified or classical Johnson-Cook; FILE.toml says its own", "paper"}, o.model);
-  f(Entry{plate, "damage", "how damage grows, by D1 to D5 or by critical_work_MPa of the material", "paper"}, o.damage);
+  f(Entry{plate, "method",
+          "how the plate holds together: particles as in the paper, which come apart by themselves; or stabilised by "
+          "bonds, with damage",
+          "paper"},
+    o.method);
+  f(Entry{plate, "damage", "how damage grows, by D1 to D5 or by critical_work_MPa of the material",
+          "none, jc with --method stabilised: paper, ours"},
+    o.damage);
   f(Entry{plate, "failure", "what comes of damage 1, neither shear nor tension or no force at all",
           "none without --damage, else no_tension: ours"},
     o.failure);
+  f(Entry{plate,
+          "damage_softening",
+          "part of the flow stress that damage 1 takes away",
+          "0, 0.3 with --method stabilised: Boervik et al. 2001",
+          {0, 1, ""}},
+    o.damage_softening);
+  f(Entry{plate,
+          "damage_length_mm",
+          "particle distance for which the constants of damage hold; failure strains grow with finer ones; 0: hold for "
+          "any",
+          "0, 0.56 with --method stabilised: ours",
+          {0, 100, "mm"}},
+    o.damage_length_mm);
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);
   f(Entry{plate, "clamp_radius_mm", "radius at which the plate is clamped", "tests", {12, 2000, "mm"}},
     o.clamp_radius_mm);
 
   const char *const projectile = "Projectile";
-  f(Entry{projectile, "nose", "20 mm in diameter, 197 g", "paper, Fig. 11"}, o.nose);
+  f(Entry{projectile, "nose", "20 mm in diameter and 197 g unless said otherwise", "paper, Fig. 11"}, o.nose);
+  f(Entry{projectile, "diameter_mm", "of the shank", "paper", {1, 200, "mm"}}, o.diameter_mm);
+  f(Entry{projectile,
+          "length_mm",
+          "from tip to tail",
+          "80 blunt, 98 conical, 94.6 ogival, 83.2 hemispherical, times diameter/20 mm: paper",
+          {1, 2000, "mm"}},
+    o.length_mm);
+  f(Entry{projectile,
+          "nose_length_mm",
+          "of a conical or ogival nose",
+          "30 conical, 33 ogival, times diameter/20 mm: paper",
+          {0, 1000, "mm"}},
+    o.nose_length_mm);
+  f(Entry{projectile,
+          "calibre_radius_head",
+          "radius of an ogive over the diameter, instead of --nose-length-mm",
+          "none: that follows from the length",
+          {0, 50, ""}},
+    o.calibre_radius_head);
+  f(Entry{projectile, "mass_g", "of the projectile, by its density; 0: that of tool steel", "paper", {0, 1e6, "g"}},
+    o.mass_g);
+  f(Entry{projectile,
+          "obliquity_deg",
+          "angle between the line of flight and the plate's axis; needs --extent half or full",
+          "tests",
+          {0, 60, "deg"}},
+    o.obliquity_deg);
   f(Entry{projectile, "projectile", "deformable tool steel, or rigid", "paper"}, o.projectile);
   f(Entry{projectile, "velocity_mps", "initial velocity", "tests", {1, 3000, "m/s"}}, o.velocity_mps);
   f(Entry{projectile,
@@ -133,6 +192,22 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{numerics, "smoothing", "smoothing length, constant or following the density", "ours"}, o.smoothing);
   f(Entry{numerics, "element", "integration of the hexes", "ours"}, o.element);
   f(Entry{numerics, "pressure", "pressure law", "ours"}, o.pressure);
+  f(Entry{numerics,
+          "control_stiffness",
+          "of the bonds against zero-energy modes, over the shear modulus; 0: no bonds",
+          "0, 0.3 with --method stabilised: paper, ours",
+          {0, 2, ""}},
+    o.control_stiffness);
+  f(Entry{numerics,
+          "contact_stiffness",
+          "penalty stiffness of the contact, over mass/(time step)^2",
+          "ours",
+          {0.001, 0.5, ""}},
+    o.contact_stiffness);
+  f(Entry{numerics, "linear_viscosity", "alpha of the artificial viscosity of SPH", "ours", {0, 2, ""}},
+    o.linear_viscosity);
+  f(Entry{numerics, "quadratic_viscosity", "beta of the artificial viscosity of SPH", "ours", {0, 5, ""}},
+    o.quadratic_viscosity);
 
   const char *const run = "Run and output";
   f(Entry{run,

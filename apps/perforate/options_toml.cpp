@@ -2,6 +2,7 @@
 #include "options_table.hpp"
 
 #include "options_material.hpp"
+#include "options_projectile.hpp"
 #include "shared/toml_file.hpp"
 
 namespace perforate {
@@ -25,6 +26,11 @@ bool left_to_reader(const Options &options, const std::filesystem::path &out) {
 bool left_to_reader(const Options &options, const FlowModel &) { return is_material_file(options.material); }
 bool left_to_reader(const Options &options, const FailureEffect &failure) {
   return failure == default_failure(options.damage);
+}
+bool left_to_reader(const Options &options, const double &value) {
+  return (&value == &options.nose_length_mm && value == default_nose_length_mm(options)) ||
+         (&value == &options.length_mm && value == default_length_mm(options)) ||
+         &value == &options.calibre_radius_head;
 }
 bool left_to_reader(const Options &, const std::optional<int> &threads) { return !threads; }
 template <class V> bool left_to_reader(const Options &, const V &) { return false; }

@@ -5,6 +5,7 @@
 #include "ogive/io/velocity_plot.hpp"
 #include "ogive/version.hpp"
 #include "options_material.hpp"
+#include "options_projectile.hpp"
 
 #include <nlohmann/json.hpp>
 #include <omp.h>
@@ -32,6 +33,14 @@ Shot shoot(const Options &options, const material_file::AnyMetal &plate) {
 }
 
 namespace {
+
+/// Tables of tests: where an installed program has them, else where it was built.
+std::filesystem::path data_folder() {
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const auto installed = program.parent_path().parent_path() / "share/ogive/data";
+  return std::filesystem::exists(installed / "experiment_shots.csv", none) ? installed : PERFORATE_DATA_FOLDER;
+}
 
 double peak_memory_mb() {
   rusage usage{};
@@ -80,8 +89,8 @@ std::string case_title(const Options &o, const Shot &s) {
 
 std::optional<experiment::Residual> find_test(const Options &o) {
   const LibraryMetal *metal = find_library_metal(o.material);
-  if (metal == nullptr) return std::nullopt;
-  return experiment::find_residual(PERFORATE_DATA_FOLDER, std::string(metal->test_name),
+  if (metal == nullptr || !is_of_the_tests(o)) return std::nullopt;
+  return experiment::find_residual(data_folder(), std::string(metal->test_name),
                                    std::string(ogive::name(o.nose)), o.thickness_mm, o.velocity_mps);
 }
 
@@ -91,7 +100,7 @@ void announce(const Options &o, const Shot &shot) {
   std::printf("%s\n", case_title(o, shot).c_str());
   std::printf("  particle distance   %.4f mm (%g asked for), %ld particles, %ld hexes\n", s.spacing_mm, o.spacing_mm,
               s.particles, s.hexes);
-  std::printf("  projectile          %.2f g (197 g in the tests)", s.projectile_mass_g);
+  std::printf("  projectile          %.2f g%s", s.projectile_mass_g, is_of_the_tests(o) ? " (197 g in the tests)" : "");
   if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
   std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
   if (o.restart) std::printf("  goes on from        %.3f us, %s\n", o.restart->time_us, o.restart->file.c_str());
@@ -105,9 +114,14 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["version"] = ogive::version;
   j["material"] = s.material;
   j["model"] = name_of(o.model);
+  j["method"] = name_of(o.method);
   j["damage"] = name_of(o.damage);
   j["failure"] = name_of(o.failure);
   j["nose"] = std::string(ogive::name(o.nose));
+  j["diameter_mm"] = o.diameter_mm;
+  j["length_mm"] = o.length_mm;
+  j["nose_length_mm"] = o.nose_length_mm;
+  j["obliquity_deg"] = o.obliquity_deg;
   j["projectile"] = o.projectile == ProjectileKind::rigid ? "rigid" : "deformable";
   j["thickness_mm"] = o.thickness_mm;
   j["spacing_mm"] = s.sizes.spacing_mm;

@@ -5,31 +5,15 @@
 #include "keeper.hpp"
 #include "progress.hpp"
 #include "shot.hpp"
+#include "to_case.hpp"
 
 #include "ogive/io/checkpoint.hpp"
-#include "ogive/perforation/setup.hpp"
 #include "ogive/sim/hash.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace perforate {
-
-/// The case of the options in SI units.
-inline ogive::PerforationCase<double> to_case(const Options &o) {
-  ogive::PerforationCase<double> c;
-  c.thickness = o.thickness_mm * 1e-3;
-  c.clamp_radius = o.clamp_radius_mm * 1e-3;
-  c.sph_radius = o.sph_radius_mm * 1e-3;
-  c.spacing = o.spacing_mm * 1e-3;
-  c.lattice = o.lattice;
-  c.nose = o.nose;
-  c.initial_velocity = o.velocity_mps;
-  c.friction = o.friction;
-  c.rigid_projectile = o.projectile == ProjectileKind::rigid;
-  c.extent = o.extent;
-  return c;
-}
 
 /// What the projectile's mesh and the plate's particles amount to.
 template <class M> Sizes sizes_of(const M &model) {
@@ -65,7 +49,7 @@ void go_on(const Options &options, M &model, ogive::RunState<double> &state, Sho
 template <class M>
 void take_look(const M &now, const ogive::Energy<double> &e, const ogive::ProjectileShape<double> &shape, Shot &shot,
                Course &course, Files &files) {
-  const auto sample = ogive::observe_flight(now, shape);
+  const auto sample = ogive::observe_flight(now, shape, shot.flight);
   ogive::record(shot.flight, sample, [&] { return ogive::is_plug_loose(now); });
   const double momentum = -ogive::momentum(now)[2], impulse = -now.support_impulse[2] * now.symmetry.copies();
   if (shot.flight.samples.size() == 1) course.first_energy = total(e), course.first_momentum = momentum;
@@ -84,12 +68,16 @@ void take_look(const M &now, const ogive::Energy<double> &e, const ogive::Projec
 /// Runs a case with the kernel, form and hexes chosen at compile time.
 template <class Kernel, class Form, class Rule, class Law>
 Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) {
-  ogive::PerforationOptions<double> numerics;
+  auto numerics = ogive::options_of<double>(options.method);
+  numerics.sph.control.stiffness = options.control_stiffness;
+  numerics.contact_stiffness = options.contact_stiffness;
+  numerics.sph.linear_viscosity = options.linear_viscosity;
+  numerics.sph.quadratic_viscosity = options.quadratic_viscosity;
   numerics.sph.variable_smoothing = options.smoothing == Smoothing::variable;
   const auto c = to_case(options);
   auto model =
       ogive::make_perforation<Kernel, Form, Rule>(c, plate, ogive::library::arne_tool_steel<double>(), numerics);
-  const auto shape = ogive::paper_projectile<double>(options.nose);
+  const auto &shape = c.projectile;
   const auto undeformed = ogive::disc_positions(model);
 
   Shot shot;

@@ -21,7 +21,7 @@ Frame first_frame(const Options &o) {
   ogive::PerforationCase<double> c;
   c.thickness = o.thickness_mm * 1e-3;
   c.spacing = o.spacing_mm * 1e-3;
-  c.nose = o.nose;
+  c.projectile = ogive::paper_projectile<double>(o.nose);
   return ogive::gather_frame(
       ogive::make_perforation(c, ogive::library::weldox_460e_mjc<double>(), ogive::library::arne_tool_steel<double>()));
 }

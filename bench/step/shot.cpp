@@ -17,8 +17,7 @@ namespace {
 
 using ogive::Phase;
 
-constexpr ogive::PerforationCase<double> the_case{
-    .thickness = 12e-3, .sph_radius = 24e-3, .nose = ogive::Nose::blunt, .initial_velocity = 303.5};
+const ogive::PerforationCase<double> the_case{.thickness = 12e-3, .sph_radius = 24e-3, .initial_velocity = 303.5};
 
 auto make_shot(double spacing) {
   auto shot = the_case;

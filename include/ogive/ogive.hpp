@@ -7,6 +7,7 @@
 #include "ogive/io/checkpoint.hpp"
 #include "ogive/material/library.hpp"
 #include "ogive/perforation/flight.hpp"
+#include "ogive/perforation/method.hpp"
 #include "ogive/perforation/setup.hpp"
 #include "ogive/perforation/shape.hpp"
 #include "ogive/sim/energy.hpp"

@@ -61,6 +61,23 @@ TEST_CASE("what the options need must be in the material file") {
   CHECK(refusal({"--material", m.steel.c_str(), "--damage", "jc", "--pressure", "mie_gruneisen"}).empty());
 }
 
+TEST_CASE("the method brings its damage along, unless the user says otherwise") {
+  const Options stabilised = options_of({"--method", "stabilised"});
+  CHECK(stabilised.damage == perforate::DamageLaw::johnson_cook);
+  CHECK(stabilised.failure == perforate::FailureEffect::no_tension);
+  CHECK(stabilised.damage_softening == 0.3);
+  CHECK(stabilised.damage_length_mm == 0.56);
+  CHECK(stabilised.control_stiffness == 0.3);
+  CHECK(stabilised.out == "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps_stabilised");
+  std::visit([](const auto &metal) { CHECK(metal.damage.softening == 0.3); }, perforate::plate_of(stabilised));
+  const Options undamaged = options_of({"--method", "stabilised", "--damage", "none"});
+  CHECK(undamaged.failure == perforate::FailureEffect::none);
+  CHECK(undamaged.damage_softening == 0);
+  CHECK(undamaged.damage_length_mm == 0);
+  CHECK(options_of({"--damage", "jc"}).damage_softening == 0);
+  CHECK(options_of({"--damage", "jc", "--damage-softening", "0.1"}).damage_softening == 0.1);
+}
+
 TEST_CASE("damage is off, and where it is on failure takes the tension") {
   CHECK(options_of({}).damage == perforate::DamageLaw::none);
   CHECK(options_of({}).failure == perforate::FailureEffect::none);

@@ -1,6 +1,7 @@
 #include "apps/parse.hpp"
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
+#include "perforate/options_projectile.hpp"
 
 #include <unistd.h>
 
@@ -78,6 +79,23 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--damage", "yes"}, "--damage = yes: must be one of none, jc, cockcroft_latham"},
       {{"--damage", "jc", "--failure", "crack"}, "--failure = crack: must be one of none, no_tension, removal"},
       {{"--failure", "removal"}, "--failure = removal: needs --damage jc or --damage cockcroft_latham"},
+      {{"--method", "fem"}, "--method = fem: must be one of sfm, stabilised"},
+      {{"--damage-softening", "0.3"}, "--damage-softening = 0.3: needs --damage jc or --damage cockcroft_latham"},
+      {{"--method", "stabilised", "--damage", "none", "--damage-softening", "0.3"},
+       "--damage-softening = 0.3: needs --damage jc or --damage cockcroft_latham"},
+      {{"--contact-stiffness", "1"}, "--contact-stiffness = 1: must lie between 0.001 and 0.5"},
+      {{"--nose-length-mm", "10"}, "--nose-length-mm = 10: needs --nose conical or --nose ogival"},
+      {{"--nose", "ogival", "--nose-length-mm", "9"},
+       "--nose-length-mm = 9: must exceed the radius of an ogive, 10 mm"},
+      {{"--calibre-radius-head", "3"}, "--calibre-radius-head = 3: needs --nose ogival"},
+      {{"--nose", "ogival", "--calibre-radius-head", "0.4"}, "--calibre-radius-head = 0.4: must exceed 0.5"},
+      {{"--nose", "ogival", "--calibre-radius-head", "3", "--nose-length-mm", "33"},
+       "--calibre-radius-head = 3: contradicts nose_length_mm"},
+      {{"--nose", "conical", "--length-mm", "31"}, "--length-mm = 31: must be 32 mm or more"},
+      {{"--obliquity-deg", "30"}, "--obliquity-deg = 30: needs --extent half or --extent full"},
+      {{"--obliquity-deg", "30", "--extent", "half", "--sph-radius-mm", "18"},
+       "--sph-radius-mm = 18: must lie between 19.675209 mm, what the oblique projectile needs and two spacings"},
+      {{"--diameter-mm", "46"}, "--sph-radius-mm = 24: must lie between 24.2 mm"},
       {{"--model", "MJC"}, "--model = MJC: must be one of mjc, jc"},
       {{"--kernel", "gauss"}, "--kernel = gauss: must be one of cubic_spline, wendland_c2"},
       {{"--quiet=maybe"}, "--quiet = maybe: must be true or false"},
@@ -119,8 +137,7 @@ TEST_CASE("errors in a TOML file name file, line, key and what is allowed") {
       {"out = 3\n", ":1: out = 3: must be the name of a folder"},
       {"nose = true\n", ":1: nose = true: must be one of blunt, conical, ogival, hemispherical"},
       {"nose = \"flat\"\n", ":1: nose = \"flat\": must be one of blunt, conical, ogival, hemispherical"},
-      {"thickness = 3\n",
-       ":1: thickness = 3: unknown key; allowed are material, model, damage, failure, thickness_mm, "},
+      {"thickness = 3\n", ":1: thickness = 3: unknown key; allowed are material, model, method, damage, failure, "},
       {"material = \"list\"\n", ":1: material = \"list\": must be one of weldox_460e, "},
       {"material = 460\n", ":1: material = 460: must be one of weldox_460e, "},
       {"material = \"/gone.toml\"\n", ":1: material = /gone.toml: must be a TOML file that can be read: No such file"},
@@ -162,7 +179,10 @@ TEST_CASE("case.toml runs the same case again") {
   Options all;
   all.material = "aa5083_h116_25mm";
   all.model = perforate::FlowModel::jc;
+  all.method = perforate::Method::stabilised;
   all.damage = perforate::DamageLaw::cockcroft_latham;
+  all.damage_softening = 0.25;
+  all.damage_length_mm = 0.7;
   all.failure = perforate::FailureEffect::removal;
   all.thickness_mm = 25.1;
   all.clamp_radius_mm = 100.0 + 1.0 / 3;
@@ -180,6 +200,10 @@ TEST_CASE("case.toml runs the same case again") {
   all.smoothing = perforate::Smoothing::variable;
   all.element = perforate::ElementRule::selective_reduced;
   all.pressure = perforate::PressureLaw::mie_gruneisen;
+  all.control_stiffness = 0.2;
+  all.contact_stiffness = 0.05;
+  all.linear_viscosity = 0.1;
+  all.quadratic_viscosity = 2;
   all.out = "a \"quoted\" \\ folder";
   all.output_every_us = 0.5;
   all.checkpoint_every_us = 20;
@@ -191,6 +215,28 @@ TEST_CASE("case.toml runs the same case again") {
     write(file, perforate::to_toml(o));
     CHECK(options_of({"--config", file.c_str()}) == o);
   }
+}
+
+TEST_CASE("the projectile is one of the paper's, scaled with its diameter, unless lengths are given") {
+  const auto shape = [](const std::vector<const char *> &arguments) {
+    return perforate::shape_of(options_of(arguments));
+  };
+  for (const ogive::Nose nose : ogive::all_noses) {
+    const std::string name(ogive::name(nose));
+    const auto paper = ogive::paper_projectile<double>(nose), own = shape({"--nose", name.c_str()}),
+               small = shape({"--nose", name.c_str(), "--diameter-mm", "5"});
+    CHECK(own.shank_length == paper.shank_length); // to the last bit
+    CHECK(own.nose_length == paper.nose_length);
+    CHECK(own.tip_diameter == paper.tip_diameter);
+    CHECK(ogive::volume(small) == Approx(ogive::volume(paper) / 64));
+    CHECK_NOTHROW(ogive::check(small));
+  }
+  const auto ogive = shape({"--nose", "ogival", "--calibre-radius-head", "3", "--length-mm", "100"});
+  CHECK(ogive::ogive_radius(ogive) == Approx(3 * 20e-3));
+  CHECK(ogive::length(ogive) == Approx(100e-3));
+  const auto cone = shape({"--nose", "conical", "--nose-length-mm", "17.3", "--diameter-mm", "10"});
+  CHECK(cone.nose_length == Approx(17.3e-3));
+  CHECK(cone.shank_length == Approx(34e-3));
 }
 
 TEST_CASE("help and version stop the run, and help fits a terminal and names every option") {

@@ -123,7 +123,8 @@ TEST_CASE("a slave that was pushed across mirror planes feels the surface as its
     t.nodes.velocity[t.contact.slaves[0]] = velocity;
     for (V &f : t.nodes.force) f.setZero();
     add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
-    Result r{.force = t.nodes.force[t.contact.slaves[0]], .work = normal_energy(t.contact) + friction_energy(t.contact)};
+    Result r{.force = t.nodes.force[t.contact.slaves[0]],
+             .work = normal_energy(t.contact) + friction_energy(t.contact)};
     for (V f : t.nodes.force) r.reaction += f;
     r.reaction -= r.force;
     return r;

@@ -147,6 +147,18 @@ TEST_CASE("the paper's rim: size, layers and an exact inner cylinder", "[fem]") 
   CHECK(inner_facets(thin, RimShape<double>{24e-3, 250e-3, 1e-3, 1.5e-3}).size() == 25 * 2);
 }
 
+TEST_CASE("the quality of a mesh is that of its worst hex", "[fem]") {
+  auto mesh = brick<double>(2, 1, 1, V(4, 1, 2)); // hexes of 2 x 1 x 2
+  auto q = mesh_quality(mesh);
+  CHECK(q.shortest_edge == Approx(1));
+  CHECK(q.longest_edge == Approx(2));
+  CHECK(q.largest_aspect == Approx(2));
+  CHECK(q.smallest_scaled_jacobian == Approx(1));
+  // Sheared by 45 degrees in the plane of x and z: the sine of the angle between the edges.
+  for (V &p : mesh.positions) p[0] += p[2];
+  CHECK(mesh_quality(mesh).smallest_scaled_jacobian == Approx(std::sqrt(0.5)));
+}
+
 TEST_CASE("impossible shapes are refused", "[fem]") {
   CHECK(contains(setup_error_of([&] {
                    rim_mesh(RimShape<double>{24e-3, 20e-3, 12e-3, 1.5e-3}, Extent::quarter);

@@ -8,7 +8,7 @@ namespace {
 
 Flight<double> flight_of(Nose nose) {
   PerforationCase<double> c;
-  c.nose = nose;
+  c.projectile = paper_projectile<double>(nose);
   c.thickness = 12e-3;
   c.initial_velocity = 300;
   return start_flight(c);
@@ -107,12 +107,11 @@ TEST_CASE("a flight is read off the model", "[perforation]") {
   c.clamp_radius = 60e-3;
   c.sph_radius = 16e-3;
   c.spacing = 1.6e-3;
-  c.nose = Nose::conical;
+  c.projectile = paper_projectile<double>(Nose::conical);
   auto model = make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
-  const auto shape = paper_projectile<double>(Nose::conical);
   for (Index n = projectile(model).nodes.begin; n < projectile(model).nodes.end; ++n)
     model.nodes.position[n][2] -= 50e-3;
-  const auto s = observe_flight(model, shape);
+  const auto s = observe_flight(model, c.projectile, start_flight(c));
   CHECK(s.velocity == Approx(303.5));
   CHECK(s.nose == Approx(50e-3));
   CHECK(s.shoulder == Approx(20e-3)); // the nose is 30 mm long

@@ -12,7 +12,7 @@ auto plate_and_shot(Nose nose, Extent extent) {
   c.clamp_radius = 60e-3;
   c.sph_radius = 16e-3;
   c.spacing = 1e-3;
-  c.nose = nose;
+  c.projectile = paper_projectile<double>(nose);
   c.extent = extent;
   auto model = make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
   prepare(disc(model), model.nodes);

@@ -2,9 +2,12 @@
 
 #include "ogive/perforation/setup.hpp"
 
+#include <Eigen/Geometry>
+
 #include <numbers>
 
 using namespace ogive;
+using V3 = Vec3<double>;
 
 namespace {
 
@@ -34,7 +37,7 @@ TEST_CASE("plate and projectile have their masses", "[perforation]") {
   const Lattice lattice = GENERATE(Lattice::cubic, Lattice::ring);
   const Extent extent = GENERATE(Extent::half, Extent::quarter);
   auto c = coarse_case();
-  c.nose = nose, c.lattice = lattice, c.extent = extent;
+  c.projectile = paper_projectile<double>(nose), c.lattice = lattice, c.extent = extent;
   const auto model = build(c);
   const double plate = 7850 * std::numbers::pi * c.clamp_radius * c.clamp_radius * c.thickness;
   // The rim's edges are polygons, the cubic lattice's a staircase.
@@ -97,6 +100,42 @@ TEST_CASE("the parts of a shot stand where they belong", "[perforation]") {
   CHECK(build(c).rigid_parts.size() == 1);
 }
 
+TEST_CASE("an oblique projectile lies in its line of flight and touches the plate", "[perforation]") {
+  const Nose nose = GENERATE(Nose::blunt, Nose::ogival);
+  auto c = coarse_case();
+  c.projectile = paper_projectile<double>(nose);
+  c.sph_radius = 22e-3;
+  c.extent = Extent::half;
+  const auto straight = build(c);
+  c.obliquity = 0.5;
+  const auto oblique = build(c);
+  CHECK(whole_mass(projectile(oblique).point_mass, oblique.symmetry) ==
+        Approx(whole_mass(projectile(straight).point_mass, straight.symmetry)).epsilon(1e-9));
+  const V3 flight(std::sin(0.5), 0, -std::cos(0.5));
+  const NodeRange nodes = projectile(oblique).nodes;
+  double lowest = 1, longest = 0;
+  for (Index n = nodes.begin; n < nodes.end; ++n) {
+    const V3 &p = oblique.nodes.position[n];
+    lowest = std::min(lowest, p[2]);
+    longest = std::max(longest, -p.dot(flight));
+    REQUIRE(p.cross(flight).norm() < 10.2e-3); // its axis goes through the middle of the front face
+    REQUIRE((oblique.nodes.velocity[n] - c.initial_velocity * flight).norm() < 1e-9);
+    REQUIRE(bool(oblique.nodes.held[n] & held_y) == (p[1] == 0));
+    REQUIRE_FALSE(oblique.nodes.held[n] & held_x);
+  }
+  CHECK(std::abs(lowest) < 1e-12);
+  // The foremost point of a blunt face is its edge, R tan(obliquity) ahead of where the axis meets the plate.
+  const double ahead = nose == Nose::blunt ? 10e-3 * std::tan(0.5) : 0.5e-3 * std::tan(0.5);
+  CHECK(longest == Approx(length(c.projectile) + ahead).epsilon(2e-3));
+}
+
+TEST_CASE("a projectile gets the mass that is asked for", "[perforation]") {
+  auto c = coarse_case();
+  c.projectile_mass = 0.3;
+  const auto model = build(c);
+  CHECK(whole_mass(projectile(model).point_mass, model.symmetry) == Approx(0.3).epsilon(1e-3)); // facets
+}
+
 TEST_CASE("cases that do not fit together are refused with a line that says why", "[perforation]") {
   const auto refused = [](auto change) {
     auto c = coarse_case();
@@ -114,6 +153,11 @@ TEST_CASE("cases that do not fit together are refused with a line that says why"
   CHECK_THAT(refused([](Case &c) { c.clamp_radius = 17e-3; }), Catch::Contains("clamp radius (m) = 0.017"));
   CHECK_THAT(refused([](Case &c) { c.initial_velocity = 0; }), Catch::Contains("initial velocity (m/s) = 0"));
   CHECK_THAT(refused([](Case &c) { c.initial_velocity = -300; }), Catch::Contains("initial velocity (m/s) = -300"));
+  CHECK_THAT(refused([](Case &c) { c.obliquity = 0.3; }), Catch::Contains("must be 0 in a quarter model"));
+  CHECK_THAT(refused([](Case &c) { c.obliquity = 0.6, c.extent = Extent::half; }),
+             Catch::Contains("particle disc (m) = 0.018") && Catch::Contains("room for the oblique projectile"));
+  CHECK_THAT(refused([](Case &c) { c.projectile_mass = -1; }), Catch::Contains("projectile's mass (kg) = -1"));
+  CHECK_THAT(refused([](Case &c) { c.projectile.diameter = 0; }), Catch::Contains("projectile diameter (m) = 0"));
   CHECK_THAT(refused([](Case &c) { c.friction = -0.1; }), Catch::Contains("friction = -0.1"));
   CHECK_THAT(refused([](Case &c) { c.spacing = 0; }), Catch::Contains("particle distance (m) = 0"));
   CHECK_THAT(refused([](Case &c) { c.spacing = 5e-3; }), Catch::Contains("particle distance (m) = 0.005"));

@@ -4,6 +4,8 @@
 #include "ogive/core/symmetry.hpp"
 #include "ogive/fem/projectile.hpp"
 
+#include <cmath>
+
 namespace ogive {
 
 /// How the particles of the plate are laid out.
@@ -12,19 +14,33 @@ enum class Lattice {
   ring   ///< concentric rings, layer by layer
 };
 
-/// A projectile that strikes a clamped round plate along the plate's axis. The plate lies between z = 0 (front) and
-/// z = -thickness, the projectile flies towards -z. SI units.
+/// A projectile that strikes the middle of a clamped round plate. The plate lies between z = 0 (front) and
+/// z = -thickness, the projectile flies towards -z; at an angle, towards +x too. SI units.
 template <class T> struct PerforationCase {
   T thickness = T(12e-3);          ///< of the plate, m
   T clamp_radius = T(250e-3);      ///< of the plate, m
   T sph_radius = T(24e-3);         ///< radius of the disc of particles, m
   T spacing = T(0.6e-3);           ///< particle distance asked for, m
   Lattice lattice = Lattice::ring; ///< cubic ones break up along their rows under tension
-  Nose nose = Nose::blunt;         ///< of the paper's projectile
-  T initial_velocity = T(303.5);   ///< m/s
-  T friction = T(0);               ///< Coulomb, plate on projectile
-  bool rigid_projectile = false;   ///< it moves as one, and does not deform
+  /// Shape of the projectile.
+  ProjectileShape<T> projectile = paper_projectile<T>(Nose::blunt);
+  T projectile_mass = T(0);      ///< of the whole projectile, kg; 0: by the density of its metal
+  T initial_velocity = T(303.5); ///< m/s
+  T obliquity = T(0);            ///< angle between the line of flight and the plate's axis, rad; not in a quarter model
+  T friction = T(0);             ///< Coulomb, plate on projectile
+  bool rigid_projectile = false; ///< it moves as one, and does not deform
   Extent extent = Extent::quarter; ///< how much of the model is computed
 };
+
+/// Unit vector along the line of flight.
+template <class T> Vec3<T> direction_of_flight(const PerforationCase<T> &c) {
+  return {std::sin(c.obliquity), T(0), -std::cos(c.obliquity)};
+}
+
+/// Smallest radius of the disc of particles, m: the projectile goes through it with two particle distances to spare.
+template <class T> T least_sph_radius(const PerforationCase<T> &c) {
+  return T(0.5) * c.projectile.diameter / std::cos(c.obliquity) + c.thickness * std::tan(c.obliquity) +
+         T(2) * c.spacing;
+}
 
 } // namespace ogive

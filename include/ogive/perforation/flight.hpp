@@ -12,7 +12,7 @@
 
 namespace ogive {
 
-/// The projectile at one time. Velocities are positive in the direction of flight (-z).
+/// The projectile at one time. Velocities are positive along the initial line of flight.
 template <class T> struct FlightSample {
   T time{};     ///< s
   T velocity{}; ///< mean of the projectile's mass, m/s
@@ -28,6 +28,7 @@ enum class FlightState { in_progress, perforated, stopped };
 template <class T> struct Flight {
   T plate_thickness{};                          ///< m
   T initial_velocity{};                         ///< m/s
+  Vec3<T> direction{T(0), T(0), T(-1)};         ///< of the initial flight
   bool sharp = false;                           ///< the nose has a length
   std::vector<FlightSample<T>> samples;         ///< in the order of time
   FlightState state = FlightState::in_progress; ///< what they say
@@ -50,24 +51,26 @@ template <class T> Flight<T> start_flight(const PerforationCase<T> &c) {
   Flight<T> flight;
   flight.plate_thickness = c.thickness;
   flight.initial_velocity = c.initial_velocity;
-  flight.sharp = c.nose != Nose::blunt;
+  flight.direction = direction_of_flight(c);
+  flight.sharp = c.projectile.nose != Nose::blunt;
   return flight;
 }
 
-/// The projectile now. `shape` gives the distance of the shoulder from the tip.
-template <class M, class T> FlightSample<T> observe_flight(const M &model, const ProjectileShape<T> &shape) {
+/// The projectile now. `shape` gives the distance of the shoulder from the tail.
+template <class M, class T>
+FlightSample<T> observe_flight(const M &model, const ProjectileShape<T> &shape, const Flight<T> &flight) {
   const auto &body = projectile(model);
   const auto &nodes = model.nodes;
   FlightSample<T> s;
   s.time = model.time;
-  s.velocity = -mean_velocity(nodes, body.nodes)[2];
+  s.velocity = mean_velocity(nodes, body.nodes).dot(flight.direction);
   const T lowest =
       parallel_min(body.nodes.size(), T(1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
   const T highest =
       parallel_max(body.nodes.size(), T(-1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
   s.nose = -lowest;
   s.tail = -highest;
-  s.shoulder = s.tail + shape.shank_length;
+  s.shoulder = s.tail - shape.shank_length * flight.direction[2];
   return s;
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "shot.hpp"
+
+/// \file
+/// One case from its options to its results, as the program runs it.
+
+namespace perforate {
+
+/// What the program ends with; 128 and the number of the signal if one interrupted it.
+enum ExitStatus { success = 0, failure = 1, bad_input = 2, stopped_by_fault = 3, interrupted = 128 };
+
+/// How much of a run is printed and drawn.
+enum class Telling {
+  all,     ///< what is about to be run, the closing table, the section picture
+  problems ///< only why it did not come to its end
+};
+
+/// How a case ended.
+struct Outcome {
+  int status = success;
+  Shot shot;
+};
+
+/// Runs a case and writes its results. `program` is its name in the command that goes on with an interrupted run.
+/// Throws SetupError, and then nothing was run or overwritten.
+Outcome run_case(const Options &options, const char *program, Telling telling);
+
+} // namespace perforate

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# beyond.sh [folder]: the shots behind docs/beyond.md, --method stabilised: the 12 mm plate that its parameters were
+# chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on. Shots
+# that the folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+folder=${1:-$here/../vtk_out/beyond}
+source "$here/shots.sh"
+
+head_of_table() {
+  echo "| case | initial, m/s | test, m/s | computed, m/s | plug, g | failed particles | dishing, mm | bonds, % of energy |" \
+    "energy error, % | processor, s |"
+  echo '|---|---|---|---|---|---|---|---|---|---|'
+}
+
+one() { # name text [option]...
+  shoot "$1" --method stabilised --no-picture "${@:3}"
+  [ -e "$folder/$1/summary.json" ] || return 0
+  echo "| $2 | $(number "$1" initial_velocity_mps %.1f) | $(number "$1" test_residual_velocity_mps %.1f) |" \
+    "$(number "$1" residual_velocity_mps %.1f) | $(number "$1" plug_mass_g %.1f) | $(number "$1" failed_particles %d) |" \
+    "$(number "$1" dishing_mm %.2f) | $(number "$1" hourglass_fraction %.2f 100) |" \
+    "$(number "$1" energy_error %.3f 100) | $(number "$1" cpu_s %.0f) |"
+}
+
+made_by beyond.sh
+echo 'The plate that the parameters were chosen on, 12 mm, particles 0.6 mm apart:'
+echo
+head_of_table
+for v in 181.5 200.4 244.2 303.5 399.6; do
+  one "12mm_${v}" 'stabilised' --velocity-mps "$v"
+  one "12mm_${v}_sfm" "the paper's method" --method sfm --velocity-mps "$v"
+done
+echo
+echo 'Mesh:'
+echo
+head_of_table
+for spacing in 1.2 0.8 0.6 0.45; do
+  one "12mm_244.2_${spacing}mm" "12 mm, particles $spacing mm apart" --velocity-mps 244.2 --spacing-mm "$spacing"
+  one "6mm_150_${spacing}mm" "6 mm, particles $spacing mm apart" --thickness-mm 6 --velocity-mps 150 --spacing-mm "$spacing"
+done
+for spacing in 0.8 0.45; do
+  one "6mm_150_${spacing}mm_any" "6 mm, $spacing mm, failure strains not scaled" --thickness-mm 6 --velocity-mps 150 \
+    --spacing-mm "$spacing" --damage-length-mm 0
+done
+echo
+echo 'One parameter at a time, particles 0.8 mm apart:'
+echo
+head_of_table
+both() { # name text [option]...
+  one "12mm_200.4_$1" "12 mm, $2" --velocity-mps 200.4 --spacing-mm 0.8 "${@:3}"
+  one "6mm_150_$1" "6 mm, $2" --thickness-mm 6 --velocity-mps 150 --spacing-mm 0.8 "${@:3}"
+}
+both 'base' 'as it is'
+both 'no_damage' 'no damage' --damage none
+both 'softening_0' 'Dc 0' --damage-softening 0
+both 'softening_0.15' 'Dc 0.15' --damage-softening 0.15
+both 'softening_0.5' 'Dc 0.5' --damage-softening 0.5
+both 'length_0.45' 'length of damage 0.45 mm' --damage-length-mm 0.45
+both 'length_0.7' 'length of damage 0.7 mm' --damage-length-mm 0.7
+both 'control_0' 'no bonds' --control-stiffness 0
+both 'control_0.1' 'stiffness of bonds 0.1' --control-stiffness 0.1
+both 'control_0.6' 'stiffness of bonds 0.6' --control-stiffness 0.6
+both 'cubic' 'cubic lattice' --lattice cubic
+both 'rigid' 'rigid projectile' --projectile rigid
+both 'removal' 'failed particles removed' --failure removal

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/perforation/setup.hpp"
+
+namespace ogive {
+
+/// How the plate's particles hold together.
+enum class Method {
+  sfm,       ///< as in the paper: by SPH alone; particles come apart by themselves
+  stabilised ///< zero-energy modes are resisted by bonds (sph/control.hpp); what tears is up to damage
+};
+
+/// Dc of the methods in which damage counts (Boervik et al. 2001, for Weldox 460 E; taken for all metals).
+inline constexpr double softening_of_damage = 0.3;
+
+/// Particle distance for which the constants of damage hold in the methods in which it counts, m: chosen on the shots at
+/// 12 mm of Weldox 460 E, see docs/beyond.md.
+inline constexpr double length_of_damage = 0.56e-3;
+
+/// The numerical choices of a method, the same for all cases.
+template <class T> PerforationOptions<T> options_of(Method method) {
+  PerforationOptions<T> options;
+  if (method == Method::stabilised) options.sph.control.stiffness = T(0.3);
+  return options;
+}
+
+} // namespace ogive
