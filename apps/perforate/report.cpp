@@ -90,8 +90,8 @@ std::string case_title(const Options &o, const Shot &s) {
 std::optional<experiment::Residual> find_test(const Options &o) {
   const LibraryMetal *metal = find_library_metal(o.material);
   if (metal == nullptr || !is_of_the_tests(o)) return std::nullopt;
-  return experiment::find_residual(data_folder(), std::string(metal->test_name),
-                                   std::string(ogive::name(o.nose)), o.thickness_mm, o.velocity_mps);
+  return experiment::find_residual(data_folder(), std::string(metal->test_name), std::string(ogive::name(o.nose)),
+                                   o.thickness_mm, o.velocity_mps);
 }
 
 void announce(const Options &o, const Shot &shot) {
