@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <sys/types.h>
 #include <system_error>
 
@@ -16,6 +18,8 @@ namespace perforate {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr char material_name[] = "material.toml";
 
 const std::vector<std::string> history_columns{"time_us",   "velocity_m_per_s", "nose_depth_mm",      "tail_depth_mm",
                                                "kinetic_J", "elastic_J",        "plastic_J",          "hourglass_J",
@@ -48,7 +52,29 @@ void remove_leftovers(const fs::path &folder) {
   for (const fs::path &path : leftovers) fs::remove(path, ignored);
 }
 
+/// Text of material.toml.
+std::string material_text(const Options &o, const material_file::AnyMetal &plate) {
+  return material_file::to_toml(plate, "The metal of the plate in a run of perforate " + std::string(ogive::version) +
+                                           ", from " + o.material +
+                                           ".\nA copy with other numbers is a metal for --material.");
+}
+
+/// Text of case.toml.
+std::string case_text(Options o) {
+  // Counts from the folder of case.toml, so that the folder may move.
+  if (is_material_file(o.material)) o.material = material_name;
+  return to_toml(o);
+}
+
 } // namespace
+
+bool has_case(const Options &o, const material_file::AnyMetal &plate) {
+  const auto holds = [&](const char *name, const std::string &text) {
+    std::ifstream file(o.out / name, std::ios::binary);
+    return file && std::string{std::istreambuf_iterator<char>(file), {}} == text;
+  };
+  return holds("case.toml", case_text(o)) && holds(material_name, material_text(o, plate));
+}
 
 void start_results(const Options &o, const material_file::AnyMetal &plate) {
   std::error_code ignored;
@@ -57,17 +83,11 @@ void start_results(const Options &o, const material_file::AnyMetal &plate) {
   if (!o.restart) fs::remove(o.out / "history.csv", ignored);
   if (!is_in_place(o) && fs::exists(o.out / checkpoint_name, ignored))
     fs::rename(o.out / checkpoint_name, o.out / earlier_checkpoint_name, ignored);
-  const auto copy = o.out / "material.toml";
+  const auto copy = o.out / material_name;
   std::error_code missing;
   if (!is_material_file(o.material) || !fs::equivalent(copy, o.material, missing))
-    ogive::write_atomically(
-        copy, material_file::to_toml(plate, "The metal of the plate in a run of perforate " +
-                                                std::string(ogive::version) + ", from " + o.material +
-                                                ".\nA copy with other numbers is a metal for --material."));
-  Options again = o;
-  // Counts from the folder of case.toml, so that the folder may move.
-  if (is_material_file(o.material)) again.material = copy.filename().string();
-  ogive::write_atomically(o.out / "case.toml", to_toml(again));
+    ogive::write_atomically(copy, material_text(o, plate));
+  ogive::write_atomically(o.out / "case.toml", case_text(o));
 }
 
 Files open_files(const Options &o, const Course &course) {

@@ -1,19 +1,24 @@
 #include "limit.hpp"
 
+#include "files.hpp"
 #include "ogive/fit/ballistic_limit.hpp"
 #include "ogive/io/gnuplot.hpp"
 #include "ogive/perforation/limit_search.hpp"
-#include "options_projectile.hpp"
+#include "options_material.hpp"
+#include "options_table.hpp"
 #include "run_case.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 
 namespace perforate {
 
@@ -31,7 +36,7 @@ struct Residual {
 /// What `perforate limit` has besides the options of a case.
 struct Search {
   double width_mps = 5;                ///< of the bracket
-  std::optional<double> velocity_mps;  ///< of the first shot
+  bool velocity_given = false;         ///< that of the first shot
   std::vector<const char *> arguments; ///< the rest
 };
 
@@ -40,7 +45,7 @@ Search search_of(int argc, const char *const *argv) {
   search.arguments.push_back(argv[0]);
   for (int k = 2; k < argc; ++k) {
     const std::string_view argument = argv[k];
-    if (argument.starts_with("--velocity-mps")) search.velocity_mps = 0; // parse() reads and checks it
+    if (argument == "--velocity-mps" || argument.starts_with("--velocity-mps=")) search.velocity_given = true;
     if (argument != "--width-mps" && !argument.starts_with("--width-mps=")) {
       search.arguments.push_back(argv[k]);
       continue;
@@ -63,8 +68,10 @@ std::string text_of_file(const fs::path &name) {
 /// The result of a shot that lies in a folder; nothing if there is none or it ended by a fault.
 std::optional<Residual> known_result(const fs::path &folder, double velocity_mps) {
   const auto j = nlohmann::json::parse(text_of_file(folder / "summary.json"), nullptr, false);
-  if (!j.is_object() || !j.contains("perforated") || !j.contains("residual_velocity_mps") || !j.contains("fault") ||
-      !j["fault"].is_null())
+  const auto is = [&](const char *key, auto kind) { return j.contains(key) && (j[key].*kind)(); };
+  using Json = nlohmann::json;
+  if (!j.is_object() || !is("perforated", &Json::is_boolean) || !is("residual_velocity_mps", &Json::is_number) ||
+      !is("fault", &Json::is_null))
     return std::nullopt;
   return Residual{velocity_mps, j["residual_velocity_mps"], j["perforated"]};
 }
@@ -82,7 +89,7 @@ bool add_shot(Shots &shots, double velocity_mps) {
   Options o = shots.options;
   o.velocity_mps = velocity_mps;
   o.out = shots.options.out / (shortest(velocity_mps) + "mps");
-  const bool same = text_of_file(o.out / "case.toml") == to_toml(o);
+  const bool same = has_case(o, plate_of(o));
   auto known = same ? known_result(o.out, velocity_mps) : std::nullopt;
   if (!known) {
     const auto checkpoint = (o.out / checkpoint_name).string();
@@ -163,7 +170,7 @@ int find_limit(int argc, const char *const *argv) {
   Options &o = shots.options;
   if (o.restart) input::refuse("--restart", o.restart->file.string(), "cannot be given to perforate limit");
   // The limits of the tests grow about so with the thickness; the search leaves a wrong guess quickly.
-  double guess = search.velocity_mps ? o.velocity_mps : 5 * std::round((90 + 9 * o.thickness_mm) / 5);
+  const double guess = search.velocity_given ? o.velocity_mps : 5 * std::round((90 + 9 * o.thickness_mm) / 5);
   if (o.out == default_out(o)) {
     o.velocity_mps = 1;
     const std::string shot = default_out(o).string();
