@@ -14,8 +14,8 @@ enum class Method {
 /// Dc of the methods in which damage counts (Boervik et al. 2001, for Weldox 460 E; taken for all metals).
 inline constexpr double softening_of_damage = 0.3;
 
-/// Particle distance for which the constants of damage hold in the methods in which it counts, m: set on shots at Weldox
-/// 460 E, above all the plate of 12 mm, see docs/beyond.md.
+/// Particle distance for which the constants of damage hold in the methods in which it counts, m: set on shots at
+/// Weldox 460 E, above all the plate of 12 mm, see docs/beyond.md.
 inline constexpr double length_of_damage = 0.56e-3;
 
 /// The numerical choices of a method, the same for all cases.
