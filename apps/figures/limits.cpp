@@ -29,6 +29,15 @@ std::vector<ogive::TriedShot<double>> tried_shots(const SeriesKey &key, const st
   return tried;
 }
 
+/// The curve through the residual velocities of a series; nothing if no shot perforated.
+std::optional<ogive::BallisticFit<double>> fit_of(const SeriesKey &key, const std::vector<ShotRow> &rows,
+                                                  const Published &published) {
+  std::vector<ogive::ResidualShot<double>> shots;
+  for (const ShotRow &shot : rows)
+    if (series_of(shot.key) == key) shots.push_back({shot.key.initial_velocity_mps, shot.residual_velocity_mps});
+  return ogive::fit_ballistic_curve<double>(shots, ogive::BallisticCurve<double>{published.a, published.p, 0});
+}
+
 /// A number of a table's field; nothing where it is empty.
 std::optional<double> number_in(const std::string &field) { return ogive::number_from(field); }
 
@@ -75,8 +84,11 @@ std::vector<Task> next_round(const std::vector<SeriesKey> &series, const std::ve
                              const std::filesystem::path &data) {
   std::vector<Task> round;
   for (const SeriesKey &key : series) {
-    const double guess = find_published(key, data).test_limit_mps.value_or(200);
-    if (const auto v = ogive::next_velocity(tried_shots(key, rows, false), guess, bracket_width_mps))
+    const Published published = find_published(key, data);
+    const auto fit = fit_of(key, rows, published);
+    const auto expected = fit ? std::optional(fit->curve.limit) : std::nullopt;
+    const double guess = published.test_limit_mps.value_or(200);
+    if (const auto v = ogive::next_velocity(tried_shots(key, rows, false), guess, bracket_width_mps, 1, expected))
       round.push_back({shot_of(key, *v)});
   }
   return round;
@@ -89,11 +101,7 @@ std::vector<LimitRow> find_limits(const std::vector<SeriesKey> &series, const st
     const auto tried = tried_shots(key, rows, true);
     if (tried.empty()) continue;
     LimitRow row{key, ogive::bracket(tried), std::nullopt, find_published(key, data)};
-    std::vector<ogive::ResidualShot<double>> shots;
-    for (const ShotRow &shot : rows)
-      if (series_of(shot.key) == key) shots.push_back({shot.key.initial_velocity_mps, shot.residual_velocity_mps});
-    const ogive::BallisticCurve<double> start{row.published.a, row.published.p, 0};
-    row.fit = ogive::fit_ballistic_curve<double>(shots, start);
+    row.fit = fit_of(key, rows, row.published);
     limits.push_back(std::move(row));
   }
   return limits;

@@ -186,7 +186,17 @@ int find_limit(int argc, const char *const *argv) {
     for (const Residual &s : shots.done) all.push_back({s.initial_mps, s.perforated});
     return all;
   };
-  while (const auto velocity = ogive::next_velocity(tried(), guess, search.width_mps))
+  const auto fit_now = [&] {
+    std::vector<ogive::ResidualShot<double>> residuals;
+    for (const Residual &s : shots.done) residuals.push_back({s.initial_mps, s.residual_mps});
+    return ogive::fit_ballistic_curve<double>(residuals, ogive::BallisticCurve<double>{1, 2, 0});
+  };
+  const auto next = [&] {
+    const auto fit = fit_now();
+    const auto expected = fit ? std::optional(fit->curve.limit) : std::nullopt;
+    return ogive::next_velocity(tried(), guess, search.width_mps, 1, expected);
+  };
+  while (const auto velocity = next())
     if (!add_shot(shots, *velocity)) return shots.status;
   const auto bracket = ogive::bracket(tried());
   const auto estimate = ogive::limit_estimate(bracket);
@@ -194,9 +204,7 @@ int find_limit(int argc, const char *const *argv) {
     for (const double times : shown_velocities)
       if (!add_shot(shots, 5 * std::ceil(estimate->limit * times / 5))) return shots.status;
 
-  std::vector<ogive::ResidualShot<double>> residuals;
-  for (const Residual &s : shots.done) residuals.push_back({s.initial_mps, s.residual_mps});
-  const auto fit = ogive::fit_ballistic_curve<double>(residuals, ogive::BallisticCurve<double>{1, 2, 0});
+  const auto fit = fit_now();
   ogive::write_atomically(o.out / "limit.csv", csv_of(shots.done));
   if (estimate)
     std::printf("\n  %-22s %.1f +- %.1f m/s%s\n", "limit by bisection", estimate->limit, estimate->half_width,

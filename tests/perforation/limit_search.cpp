@@ -11,10 +11,10 @@ namespace {
 using Shots = std::vector<TriedShot<double>>;
 
 /// Shoots as the search asks at a plate that stops everything up to `limit`. Ends with a failure after 100 shots.
-Shots search(double limit, double guess, double width = 5, double round_to = 1) {
-  Shots tried;
+Shots search(double limit, double guess, double width = 5, double round_to = 1, Shots tried = {},
+             std::optional<double> expected = std::nullopt) {
   while (tried.size() < 100) {
-    const auto next = next_velocity(tried, guess, width, round_to);
+    const auto next = next_velocity(tried, guess, width, round_to, expected);
     if (!next) return tried;
     REQUIRE(std::none_of(tried.begin(), tried.end(), [&](const auto &shot) { return shot.velocity == *next; }));
     tried.push_back({*next, *next > limit});
@@ -109,6 +109,34 @@ TEST_CASE("any limit from 20 to 900 m/s is found from any guess in a few shots",
   // A guess good to 5 % of at most 250 m/s: the guess, one step of 6 % on, 15.8 m/s, and two halvings; with 0.5 m/s of
   // rounding for each 16.3, 8.7 and 4.9 m/s.
   CHECK(from_near <= 4);
+}
+
+TEST_CASE("a limit that is expected rightly takes two shots, one that is expected wrongly is found all the same",
+          "[perforation]") {
+  const Shots known{{250, true}};
+  CHECK(velocities(search(200, 0.1, 5, 1, known, 201.0)) == std::vector<double>{250, 199, 204});
+  // Just above a shot that was stopped, and just below one that perforated: the other end of a bracket of 5 m/s.
+  CHECK(next_velocity(Shots{{198, false}, {250, true}}, 200, 5, 1, 200.0).value() == 203);
+  CHECK(next_velocity(Shots{{150, false}, {204, true}}, 200, 5, 1, 200.0).value() == 199);
+  // What shots contradict, and what lies outside of all sense, does not count.
+  CHECK(next_velocity(Shots{{198, false}, {250, true}}, 200, 5, 1, 190.0).value() == 224);
+  CHECK(next_velocity(Shots{{150, false}, {250, true}}, 200, 5, 1, 260.0).value() == 200);
+  CHECK(next_velocity(known, 200, 5, 1, 0.0).value() == 235);
+  // Two widths or less are halved.
+  CHECK(next_velocity(Shots{{195, false}, {200.4, true}}, 200, 5, 1, 199.0).value() == 198);
+
+  for (double limit = 20; limit <= 240; limit += 7.3)
+    for (double expected = 5; expected <= 260; expected += 3.7) {
+      const auto tried = search(limit, 200, 5, 1, known, expected);
+      const auto b = bracket(tried);
+      REQUIRE(limit_estimate(b));
+      CHECK(*b.lowest_perforated - *b.highest_stopped <= 5 * (1 + 1e-12));
+      CHECK(*b.highest_stopped <= limit);
+      CHECK(*b.lowest_perforated > limit);
+      // A wrong expectation costs the two shots at it, and up to three more for a bracket that they divide badly.
+      CHECK(tried.size() <= search(limit, 200, 5, 1, known).size() + 5);
+      if (std::abs(expected - limit) < 1.4) CHECK(tried.size() <= known.size() + 3);
+    }
 }
 
 TEST_CASE("rounding, widths and number types do not keep the search from its end", "[perforation]") {

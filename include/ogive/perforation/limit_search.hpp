@@ -59,6 +59,14 @@ template <class T> T outward(T velocity, bool up, std::ptrdiff_t count, T round_
   return std::max(least_velocity<T>, rounded(target, std::abs(target - velocity), round_to));
 }
 
+/// Into the bracket from `low` to `high` so that, if the limit is where it is expected, this shot and the next one end
+/// the search: one `width` from the end that is nearer than that, else half of it below the expected limit.
+template <class T> T beside(T expected, T low, T high, T width) {
+  if (expected - low <= width) return low + width;
+  if (high - expected <= width) return high - width;
+  return expected - width / 2;
+}
+
 } // namespace limit_search_detail
 
 /// The lowest velocity that perforated and the highest below it that did not. Throws SetupError for a velocity that is
@@ -87,10 +95,14 @@ template <class T> LimitBracket<T> bracket(const std::vector<TriedShot<T>> &trie
 /// Nothing, too, if even 1 m/s perforates or if no number lies between the bracket's ends. Where shots contradict each
 /// other the search goes on below the lowest that perforated; `bracket` tells.
 ///
+/// `expected`, m/s, is where a curve through the residual velocities of the shots that perforated ends. While no shot
+/// contradicts it, and until two widths are left, the search tries both sides of it instead of steps and middles.
+///
 /// Throws SetupError for a velocity, guess, width or round_to that is not positive and finite.
 template <class T>
 std::optional<T> next_velocity(const std::vector<TriedShot<T>> &tried, std::type_identity_t<T> guess,
-                               std::type_identity_t<T> width = T(5), std::type_identity_t<T> round_to = T(1)) {
+                               std::type_identity_t<T> width = T(5), std::type_identity_t<T> round_to = T(1),
+                               std::type_identity_t<std::optional<T>> expected = std::nullopt) {
   using namespace limit_search_detail;
   require_positive("guess of the ballistic limit (m/s)", guess);
   require_positive("width of the bracket (m/s)", width);
@@ -102,6 +114,8 @@ std::optional<T> next_velocity(const std::vector<TriedShot<T>> &tried, std::type
     return outward(*b.highest_stopped, true, static_cast<std::ptrdiff_t>(tried.size()), round_to);
   if (!b.highest_stopped) {
     if (*b.lowest_perforated <= least_velocity<T>) return std::nullopt;
+    if (expected && *expected < *b.lowest_perforated && *expected - width / 2 > least_velocity<T>)
+      return rounded(*expected - width / 2, width, round_to);
     return outward(*b.lowest_perforated, false, perforated, round_to);
   }
   const T low = *b.highest_stopped, high = *b.lowest_perforated, gap = high - low;
@@ -109,6 +123,8 @@ std::optional<T> next_velocity(const std::vector<TriedShot<T>> &tried, std::type
   const T round_off = 4 * std::numeric_limits<T>::epsilon() * high;
   const T middle = low + gap / 2;
   if (gap <= width + round_off || middle <= low || middle >= high) return std::nullopt;
+  if (expected && *expected > low && *expected < high && gap > 2 * width)
+    return rounded(beside(*expected, low, high, width), width, round_to);
   return rounded(middle, gap, round_to);
 }
 
