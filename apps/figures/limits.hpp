@@ -46,8 +46,8 @@ ShotKey shot_of(const SeriesKey &key, double velocity_mps);
 /// What is published about a series, from the tables in `data`. Throws SetupError for a damaged table.
 Published find_published(const SeriesKey &key, const std::filesystem::path &data);
 
-/// The shots that the next round of bisection needs, to 5 m/s: at most one for each series. The first ones lie beside the
-/// limit of the curve through the residual velocities.
+/// The shots that the next round of bisection needs, to 5 m/s: at most one for each series. The first ones lie beside
+/// the limit of the curve through the residual velocities.
 std::vector<Task> next_round(const std::vector<SeriesKey> &series, const std::vector<ShotRow> &rows,
                              const std::filesystem::path &data);
 
