@@ -172,6 +172,25 @@ TEST_CASE("a time step that falls too far stops the run", "[sim]") {
   REQUIRE(result.fault);
   CHECK(result.fault->what.find("the stable time step fell to") == 0);
   CHECK(stable_time_step(model) < 0.9 * first);
+  // Where it fell: hexes of the squeezed body.
+  CHECK(result.fault->body == hexes.name);
+  CHECK(stable_time_step_of_hex(hexes, model.nodes, result.fault->id) == stable_time_step(model));
+}
+
+TEST_CASE("a time step that falls with one particle names it", "[sim]") {
+  auto model = two_bodies();
+  const RunOptions<double> options;
+  RunState<double> state = begin_run(model, options);
+  CHECK_FALSE(find_small_step(model, options, state));
+  auto &particles = std::get<0>(model.bodies);
+  // A step strains no particle by more than 0.05 (default): 0.05/dt at 0.01 of the first step.
+  particles.points.velocity_gradient[5](2, 2) = particles.options.largest_strain / (0.01 * state.first_step);
+  state.time_step = stable_time_step(model);
+  CHECK(state.time_step == Approx(0.01 * state.first_step).epsilon(1e-12));
+  const auto fault = find_small_step(model, options, state);
+  REQUIRE(fault);
+  CHECK(fault->body == particles.name);
+  CHECK(fault->id == 5);
 }
 
 TEST_CASE("energy from nowhere stops the run", "[sim]") {

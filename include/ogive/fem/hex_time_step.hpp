@@ -116,6 +116,16 @@ template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, La
   });
 }
 
+/// The first hex whose stable step is that of the body.
+template <class T, class Law, class Rule>
+Index shortest_step_at(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
+  const T shortest = stable_time_step(body, nodes);
+  const Index count = static_cast<Index>(body.hexes.size());
+  return parallel_min(count, count, [&](Index e) {
+    return !is_removed(body, e) && stable_time_step_of_hex(body, nodes, e) <= shortest ? e : count;
+  });
+}
+
 /// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and
 /// returns the added mass, kg. Meant for the thin hexes at a sharp tip. Density, stress and energy of the material
 /// points stay as they are. Throws SetupError unless dt is positive.

@@ -57,14 +57,19 @@ struct RunResult {
   std::optional<Fault> fault;               ///< set if the reason is a fault
 };
 
-/// Largest stable step of all bodies that deform, s.
-template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...> &model) {
-  T dt = std::numeric_limits<T>::max();
+/// Calls `f(body)` for each body that deforms.
+template <class T, class... Bodies, class F> void for_each_deformable(const Model<T, Bodies...> &model, F &&f) {
   for_each_body(model, [&](const auto &body) {
     for (const RigidPart &part : model.rigid_parts)
       if (part.nodes.begin <= body.nodes.begin && body.nodes.end <= part.nodes.end) return;
-    dt = std::min(dt, stable_time_step(body, model.nodes));
+    f(body);
   });
+}
+
+/// Largest stable step of all bodies that deform, s.
+template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...> &model) {
+  T dt = std::numeric_limits<T>::max();
+  for_each_deformable(model, [&](const auto &body) { dt = std::min(dt, stable_time_step(body, model.nodes)); });
   for (const auto &contact : model.contacts)
     if (contact.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.reference_time_step);
   return dt;
@@ -96,7 +101,15 @@ std::optional<Fault> find_small_step(const Model<T, Bodies...> &model, const Run
   if (auto fault = find_not_finite(model)) return fault;
   std::ostringstream what;
   what << "the stable time step fell to " << state.time_step << " s, from " << state.first_step << " s";
-  return Fault{what.str(), "model", -1, double(model.time) * 1e6};
+  Fault fault{what.str(), "model", -1, double(model.time) * 1e6};
+  T shortest = std::numeric_limits<T>::max();
+  for_each_deformable(model, [&](const auto &body) {
+    const T dt = stable_time_step(body, model.nodes);
+    if (!(dt < shortest)) return;
+    shortest = dt;
+    fault.body = body.name, fault.id = shortest_step_at(body, model.nodes);
+  });
+  return fault;
 }
 
 /// An energy error beyond the limit, if there is one, or the numbers that are not finite or the inverted hex behind it.

@@ -121,6 +121,11 @@ template <class T, class Law, class K, class F> T kernel_volume(const SphBody<T,
   return body.point_mass[i] / (is_failed(damage, D) ? std::max(density, body.metal.density) : density);
 }
 
+/// Square of how fast particle i strains, 1/s2; 0 for a removed one.
+template <class T, class Law, class K, class F> T squared_strain_rate(const SphBody<T, Law, K, F> &body, Index i) {
+  return is_removed(body, i) ? T(0) : full(symmetric_part(body.points.velocity_gradient[i])).squaredNorm();
+}
+
 /// Stable time step, s: courant * spacing / sound speed, or what strains no particle by more than `largest_strain` if
 /// that is shorter; a variable smoothing length shortens the former with its smallest value.
 template <class T, class Law, class K, class F>
@@ -130,11 +135,17 @@ T stable_time_step(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
     shortest = parallel_min(body.points.size(), T(1),
                             [&](Index i) { return std::cbrt(body.metal.density / body.points.density[i]); });
   // Debris that flies past each other at high speed would otherwise change its density by half in a step.
-  const T fastest = parallel_max(body.points.size(), T(0), [&](Index i) {
-    return is_removed(body, i) ? T(0) : full(symmetric_part(body.points.velocity_gradient[i])).squaredNorm();
-  });
+  const T fastest = parallel_max(body.points.size(), T(0), [&](Index i) { return squared_strain_rate(body, i); });
   const T of_waves = body.options.courant * shortest * body.spacing / sound_speed(body.metal);
   return std::min(of_waves, body.options.largest_strain / std::sqrt(std::max(fastest, std::numeric_limits<T>::min())));
+}
+
+/// The first of the particles that strain fastest: all else that the stable step depends on hardly changes.
+template <class T, class Law, class K, class F>
+Index shortest_step_at(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
+  const Index count = body.points.size();
+  const T fastest = parallel_max(count, T(0), [&](Index i) { return squared_strain_rate(body, i); });
+  return parallel_min(count, count, [&](Index i) { return squared_strain_rate(body, i) >= fastest ? i : count; });
 }
 
 /// Work of the stresses since the start, J.
