@@ -6,6 +6,8 @@
 #include "ogive/sph/force.hpp"
 #include "ogive/sph/layout.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <numbers>
 #include <random>
@@ -115,6 +117,20 @@ TEMPLATE_TEST_CASE("the corrected gradient of a linear field is exact, at free s
   velocity_gradient(body, nodes);
   // Exact by construction; round-off of about 80 terms.
   for (const auto &found : body.points.velocity_gradient) REQUIRE((found - L).norm() < 1e-10 * L.norm());
+}
+
+TEST_CASE("particles that neighbours do not surround keep the plain gradient", "[sph]") {
+  // Turned, so that no diagonal entry is an eigenvalue.
+  const Eigen::AngleAxisd turn(0.7, Vec3<double>(1, 2, 3).normalized());
+  const auto turned = [&](double a, double b, double c) {
+    const Mat3<double> Q = turn.toRotationMatrix();
+    return Mat3<double>(Q * Vec3<double>(a, b, c).asDiagonal() * Q.transpose());
+  };
+  // 0.2 keeps torn necks stable and lies below the 0.24 of a corner; a mean of 1.5 is that of a clump.
+  for (const Mat3<double> &M : {turned(1, 0.7, 0.205), turned(1.49, 1.5, 1.5), turned(0.21, 0.21, 0.21)})
+    CHECK((correction_matrix(M) * M - Mat3<double>::Identity()).norm() < 1e-12);
+  for (const Mat3<double> &M : {turned(1, 0.7, 0.195), turned(1, 1, -0.3), turned(-1, -1, 1), turned(1.6, 1.5, 1.5)})
+    CHECK(correction_matrix(M) == Mat3<double>::Identity());
 }
 
 TEST_CASE("the corrected gradient is exact at mirror planes for fields that respect them", "[sph]") {
