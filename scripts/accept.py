@@ -17,6 +17,7 @@ from ogive_results import InputError, metal_of, short  # noqa: E402
 
 CHECKS = ogive_results.ROOT / "docs" / "results" / "acceptance.toml"
 FOLDER = ogive_results.ROOT / "docs" / "results" / "results"
+FACTS = ogive_results.ROOT / "docs" / "results" / "paper_facts.toml"
 
 UNITS = {"percent": "%", "mps": "m/s", "standard_errors": "standard errors"}
 BOUND = re.compile(r"(within|at_least|at_most|above|below)(?:_(\w+))?")
@@ -221,6 +222,18 @@ def summary(results):
     return f"{passed} passed, {len(results) - passed} failed"
 
 
+def figure_table(results):
+    """The status of each figure in Markdown, for the README."""
+    lines = ["| figure | what it shows | status | checks | what decides |", "|---|---|---|---|---|"]
+    for fact in ogive_results.read_toml(FACTS)["figure"]:
+        of_figure = [r for r in results if fact["number"] in r.figures]
+        word, decides = status_of_figure(of_figure)
+        passed = sum(r.status == "pass" for r in of_figure)
+        text = f"{decides.statement}: {decides.measured} against {decides.limit}" if decides else ""
+        lines.append(f"| {fact['number']} | {fact['title']} | {word} | {passed} of {len(of_figure)} | {text} |")
+    return "\n".join(lines)
+
+
 def main():
     parser = ogive_results.OneLineParser(prog="accept", description=__doc__)
     parser.add_argument("folder", nargs="?", type=Path, default=FOLDER,
@@ -228,8 +241,12 @@ def main():
     parser.add_argument("--checks", type=Path, default=CHECKS, help="the file [docs/results/acceptance.toml]")
     parser.add_argument("--data", type=Path, default=ogive_results.DATA, help="tables of tests [apps/data]")
     parser.add_argument("--spacing-mm", type=float, help="particle distance of the runs [that of the file]")
+    parser.add_argument("--figures", action="store_true", help="print the status of each figure, in Markdown, instead")
     o = parser.parse_args()
     results = run_checks(ogive_results.read_results(o.folder), ogive_results.read_tests(o.data), o.checks, o.spacing_mm)
+    if o.figures:
+        print(figure_table(results))
+        return 0
     for result in results:
         print(result.line())
     print(summary(results))

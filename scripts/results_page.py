@@ -16,8 +16,6 @@ import ogive_results  # noqa: E402
 import results_html  # noqa: E402
 from ogive_results import InputError, KEY_COLUMNS, RECORD_COLUMNS, ROOT, csv_text, write_text  # noqa: E402
 
-FACTS = ROOT / "docs" / "results" / "paper_facts.toml"
-
 
 def read_facts(file):
     facts = ogive_results.read_toml(file).get("figure", [])
@@ -124,7 +122,7 @@ def main():
     parser.add_argument("out", type=Path, help="folder for the page, docs/results for example")
     parser.add_argument("--spacing-mm", type=float, help="particle distance of the runs [that of acceptance.toml]")
     parser.add_argument("--checks", type=Path, default=accept.CHECKS, help="[docs/results/acceptance.toml]")
-    parser.add_argument("--facts", type=Path, default=FACTS, help="[docs/results/paper_facts.toml]")
+    parser.add_argument("--facts", type=Path, default=accept.FACTS, help="[docs/results/paper_facts.toml]")
     parser.add_argument("--data", type=Path, default=ogive_results.DATA, help="tables of tests [apps/data]")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "release", help="[build/release]")
     o = parser.parse_args()

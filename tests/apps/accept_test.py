@@ -155,6 +155,15 @@ class Accept(Folders):
         (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, SHOTS[0].replace("180", "fast"), ""]))
         self.require_refused(self.accept(), "shots.csv:2: initial_velocity_mps = 'fast': must be a finite number")
 
+    def test_table_of_figures(self):
+        done = self.accept("--figures")
+        lines = done.stdout.splitlines()
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(lines[:2], ["| figure | what it shows | status | checks | what decides |",
+                                     "|---|---|---|---|---|"])
+        self.assertEqual([line.split(" | ")[0] for line in lines[2:]], [f"| {k}" for k in range(1, 15)])
+        self.assertTrue(all(line.count(" | ") == 4 for line in lines[2:]), lines)
+
     def test_the_project_s_own_checks_are_well_formed(self):
         done = run("accept.py", self.folder)
         self.assertEqual(done.returncode, 1, done.stderr)
