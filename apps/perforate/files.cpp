@@ -19,7 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char material_name[] = "material.toml";
+/// Names of the files of the metals: one, or one for each plate.
+std::vector<std::string> material_names(const Options &o) {
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k <= o.layer_materials.size(); ++k)
+    names.push_back("material_" + std::to_string(k) + ".toml");
+  return names.empty() ? std::vector<std::string>{"material.toml"} : names;
+}
 
 const std::vector<std::string> history_columns{"time_us",   "velocity_m_per_s", "nose_depth_mm",      "tail_depth_mm",
                                                "kinetic_J", "elastic_J",        "plastic_J",          "hourglass_J",
@@ -52,41 +58,52 @@ void remove_leftovers(const fs::path &folder) {
   for (const fs::path &path : leftovers) fs::remove(path, ignored);
 }
 
-/// Text of material.toml.
-std::string material_text(const Options &o, const material_file::AnyMetal &plate) {
+/// Text of the file of a plate's metal.
+std::string material_text(const std::string &material, const material_file::AnyMetal &plate) {
   return material_file::to_toml(plate, "The metal of the plate in a run of perforate " + std::string(ogive::version) +
-                                           ", from " + o.material +
+                                           ", from " + material +
                                            ".\nA copy with other numbers is a metal for --material.");
 }
 
 /// Text of case.toml.
 std::string case_text(Options o) {
   // Counts from the folder of case.toml, so that the folder may move.
-  if (is_material_file(o.material)) o.material = material_name;
+  const auto names = material_names(o);
+  if (is_material_file(o.material)) o.material = names.front();
+  for (std::size_t k = 0; k < o.layer_materials.size(); ++k)
+    if (is_material_file(o.layer_materials[k])) o.layer_materials[k] = names[k];
   return to_toml(o);
 }
 
 } // namespace
 
-bool has_case(const Options &o, const material_file::AnyMetal &plate) {
+bool has_case(const Options &o, const Plates &plates) {
   const auto holds = [&](const char *name, const std::string &text) {
     std::ifstream file(o.out / name, std::ios::binary);
     return file && std::string{std::istreambuf_iterator<char>(file), {}} == text;
   };
-  return holds("case.toml", case_text(o)) && holds(material_name, material_text(o, plate));
+  bool all = holds("case.toml", case_text(o));
+  const auto names = material_names(o);
+  for (std::size_t k = 0; k < names.size(); ++k)
+    all = all && holds(names[k].c_str(), material_text(materials_of(o)[k], plates[k]));
+  return all;
 }
 
-void start_results(const Options &o, const material_file::AnyMetal &plate) {
+void start_results(const Options &o, const Plates &plates) {
   std::error_code ignored;
   remove_leftovers(o.out), remove_leftovers(o.out / "frames");
   for (const char *name : {"summary.json", "section.png", "velocity.svg"}) fs::remove(o.out / name, ignored);
   if (!o.restart) fs::remove(o.out / "history.csv", ignored);
   if (!is_in_place(o) && fs::exists(o.out / checkpoint_name, ignored))
     fs::rename(o.out / checkpoint_name, o.out / earlier_checkpoint_name, ignored);
-  const auto copy = o.out / material_name;
-  std::error_code missing;
-  if (!is_material_file(o.material) || !fs::equivalent(copy, o.material, missing))
-    ogive::write_atomically(copy, material_text(o, plate));
+  const auto names = material_names(o);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto copy = o.out / names[k];
+    const std::string material = materials_of(o)[k];
+    std::error_code missing;
+    if (!is_material_file(material) || !fs::equivalent(copy, material, missing))
+      ogive::write_atomically(copy, material_text(material, plates[k]));
+  }
   ogive::write_atomically(o.out / "case.toml", case_text(o));
 }
 
@@ -121,10 +138,9 @@ void read_notes(const ogive::Checkpoint &checkpoint, Shot &shot, Course &course)
   if (!possible) ogive::refuse_checkpoint(checkpoint.file, "is damaged: its notes cannot be");
 }
 
-std::string notes_of(const Options &o, const material_file::AnyMetal &plate, Shot &shot, Course &course,
-                     double time_us) {
+std::string notes_of(const Options &o, const Plates &plates, Shot &shot, Course &course, double time_us) {
   ogive::ArchiveWriter notes;
-  notes(SavedCase{"perforate", ogive::version, to_complete_toml(o), material_file::to_toml(plate, ""), time_us});
+  notes(SavedCase{"perforate", ogive::version, to_complete_toml(o), metals_text(o, plates), time_us});
   notes(shot), notes(course);
   return notes.bytes;
 }

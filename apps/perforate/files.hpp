@@ -15,13 +15,16 @@ struct Files {
   ogive::VtkSeries series;
 };
 
-/// True if case and metal in the folder of the results are these: what lies there belongs to this run.
-bool has_case(const Options &options, const material_file::AnyMetal &plate);
+/// The metals of all plates.
+using Plates = std::vector<material_file::AnyMetal>;
 
-/// Writes material.toml and case.toml and removes the results of an earlier run from the folder; its checkpoint gets
-/// another name, unless this run goes on from it. A material file that the user has there under that name is left as it
-/// is. Throws WriteError.
-void start_results(const Options &options, const material_file::AnyMetal &plate);
+/// True if case and metals in the folder of the results are these: what lies there belongs to this run.
+bool has_case(const Options &options, const Plates &plates);
+
+/// Writes material.toml (material_1.toml and so on for plates of several metals) and case.toml and removes the results
+/// of an earlier run from the folder; its checkpoint gets another name, unless this run goes on from it. A material
+/// file that the user has there under that name is left as it is. Throws WriteError.
+void start_results(const Options &options, const Plates &plates);
 
 /// Starts the files of a run or goes on with them where `course` says: later rows and frames are dropped. Throws
 /// WriteError.
@@ -34,7 +37,6 @@ void add_frame(Files &files, Course &course, const ogive::Frame &frame);
 void read_notes(const ogive::Checkpoint &checkpoint, Shot &shot, Course &course);
 
 /// The notes of a checkpoint at `time_us`.
-std::string notes_of(const Options &options, const material_file::AnyMetal &plate, Shot &shot, Course &course,
-                     double time_us);
+std::string notes_of(const Options &options, const Plates &plates, Shot &shot, Course &course, double time_us);
 
 } // namespace perforate

@@ -89,7 +89,7 @@ bool add_shot(Shots &shots, double velocity_mps) {
   Options o = shots.options;
   o.velocity_mps = velocity_mps;
   o.out = shots.options.out / (shortest(velocity_mps) + "mps");
-  const bool same = has_case(o, plate_of(o));
+  const bool same = has_case(o, plates_of(o));
   auto known = same ? known_result(o.out, velocity_mps) : std::nullopt;
   if (!known) {
     const auto checkpoint = (o.out / checkpoint_name).string();

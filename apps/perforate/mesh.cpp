@@ -57,10 +57,12 @@ int write_mesh(int argc, const char *const *argv) {
   if (o.out == default_out(o)) o.out += "_mesh";
   prepare_out(o);
   // Of the metal only density and elastic constants matter here; any flow law, kernel and rule of the hexes will do.
-  auto plate = ogive::library::weldox_460e_mjc<double>();
-  std::visit([&](const auto &metal) { plate.density = metal.density, plate.elasticity = metal.elasticity; },
-             plate_of(o));
-  const auto model = ogive::make_perforation(to_case(o), plate, ogive::library::arne_tool_steel<double>(),
+  std::vector<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>> plates;
+  for (const auto &any : plates_of(o)) {
+    auto &plate = plates.emplace_back(ogive::library::weldox_460e_mjc<double>());
+    std::visit([&](const auto &metal) { plate.density = metal.density, plate.elasticity = metal.elasticity; }, any);
+  }
+  const auto model = ogive::make_perforation(to_case(o), plates, ogive::library::arne_tool_steel<double>(),
                                              ogive::options_of<double>(o.method));
   auto series = ogive::open_series(o.out, "mesh");
   ogive::add_frame(series, ogive::gather_frame(model));

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include "ogive/version.hpp"
+#include "options_layers.hpp"
 #include "options_material.hpp"
 #include "options_projectile.hpp"
 #include "options_table.hpp"
@@ -8,7 +9,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <ostream>
+#include <utility>
 
 namespace perforate {
 
@@ -22,6 +25,12 @@ std::string allowed_text(const Entry &entry, const std::optional<int> &) {
 std::string allowed_text(const Entry &, const std::filesystem::path &) { return "the name of a folder"; }
 std::string allowed_text(const Entry &, const std::string &) { return allowed_materials(); }
 std::string allowed_text(const Entry &, bool) { return "true or false"; }
+std::string allowed_text(const Entry &entry, const std::vector<double> &) {
+  return "numbers between " + text_of(entry.limits) + " with commas between them";
+}
+std::string allowed_text(const Entry &, const std::vector<std::string> &) {
+  return "materials with commas between them, each " + allowed_materials();
+}
 template <class E> std::string allowed_text(const Entry &, E kind) { return "one of " + choice_names(kind); }
 
 void assign(const Entry &entry, double &value, const Given &given) {
@@ -41,12 +50,17 @@ void assign(const Entry &entry, std::filesystem::path &value, const Given &given
   value = input::line_given(given, allowed_text(entry, value));
 }
 
-/// The one option that is a text is the material.
+/// The options that are texts are materials.
 void assign(const Entry &entry, std::string &value, const Given &given) {
   const std::string material = input::line_given(given, allowed_text(entry, value));
   if (!is_material_file(material) && find_library_metal(material) == nullptr)
     refuse(given, "must be " + allowed_text(entry, value));
   value = material;
+}
+
+template <class V> void assign(const Entry &entry, std::vector<V> &values, const Given &given) {
+  values.clear();
+  for (const Given &one : input::entries_given(given)) assign(entry, values.emplace_back(), one);
 }
 
 template <class E> void assign(const Entry &, E &value, const Given &given) {
@@ -74,22 +88,36 @@ std::vector<input::Flag> flags() {
 }
 
 /// Takes the model of a material file and checks that it has the constants that the options need. Throws SetupError.
-void settle_material(Options &o, const Origins &origins) {
-  const auto plate = read_metal(o, origin_of(origins, "material"));
+void settle_material(Options &o, const std::string &material, bool is_model_fixed, const Origins &origins) {
+  const std::string origin = origin_of(origins, o.layer_materials.empty() ? "material" : "layer_materials");
+  const auto plate = read_metal(o, material, origin);
   const FlowModel model = material_file::model_of(plate);
   if (o.model != model && origins.contains("model"))
     refuse(origin_of(origins, "model"), choice_name(o.model),
-           "contradicts " + printable(o.material) + ", which has model = " + choice_name(model));
+           "contradicts " + printable(material) + ", which has model = " + choice_name(model));
+  if (o.model != model && is_model_fixed)
+    refuse(origin, printable(material),
+           "has model = " + choice_name(model) + ", the other plates " + choice_name(o.model) +
+               ": all plates must have the same");
   o.model = model;
 
   using material_file::Group;
   const auto need = [&](const char *key, auto choice, Group group) {
     if (!has(plate, group))
-      refuse(origin_of(origins, key), choice_name(choice), "needs " + keys_of(group) + " in " + printable(o.material));
+      refuse(origin_of(origins, key), choice_name(choice), "needs " + keys_of(group) + " in " + printable(material));
   };
   if (o.pressure == PressureLaw::mie_gruneisen) need("pressure", o.pressure, Group::shock);
   if (o.damage == DamageLaw::johnson_cook) need("damage", o.damage, Group::strain);
   if (o.damage == DamageLaw::cockcroft_latham) need("damage", o.damage, Group::work);
+}
+
+/// The same for the materials of all plates: files first, they say which model those of the library get.
+void settle_materials(Options &o, const Origins &origins) {
+  bool is_model_fixed = false;
+  for (const bool files : {true, false})
+    for (const std::string &material : materials_of(o))
+      if (is_material_file(material) == files)
+        settle_material(o, material, std::exchange(is_model_fixed, true), origins);
 }
 
 /// Checks what belongs together.
@@ -103,12 +131,16 @@ void check(const Options &o, const Origins &origins) {
     refuse_value("damage_softening", o.damage_softening, "needs --damage jc or --damage cockcroft_latham");
   if (o.damage == DamageLaw::none && o.damage_length_mm > 0)
     refuse_value("damage_length_mm", o.damage_length_mm, "needs --damage jc or --damage cockcroft_latham");
-  if (o.spacing_mm > o.thickness_mm / 2)
+  const double thinnest =
+      o.layers_mm.empty() ? o.thickness_mm : *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
+  if (o.spacing_mm > thinnest / 2)
     refuse_value("spacing_mm", o.spacing_mm,
-                 "must be at most half the thickness of the plate, " + shortest(o.thickness_mm / 2) + " mm");
+                 std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
+                     "plate, " + shortest(thinnest / 2) + " mm");
   const double turn = o.obliquity_deg * std::numbers::pi / 180;
   const double smallest_disc =
-      std::round(1e6 * (o.diameter_mm / 2 / std::cos(turn) + o.thickness_mm * std::tan(turn) + 2 * o.spacing_mm)) / 1e6;
+      std::round(1e6 * (o.diameter_mm / 2 / std::cos(turn) + target_depth_mm(o) * std::tan(turn) + 2 * o.spacing_mm)) /
+      1e6;
   if (o.sph_radius_mm < smallest_disc || o.sph_radius_mm >= o.clamp_radius_mm)
     refuse_value("sph_radius_mm", o.sph_radius_mm,
                  "must lie between " + shortest(smallest_disc) + " mm, " +
@@ -143,6 +175,8 @@ Options parse_restart(const input::CommandLine &line, const Given &restart) {
   for (const Given &given : entries_of(saved.case_toml, "case in " + file.string())) apply(options, origins, given);
   options.out = file.has_parent_path() ? file.parent_path() : ".";
   for (const Given &given : line.given) apply(options, origins, given);
+  if (!options.layers_mm.empty())
+    options.thickness_mm = std::accumulate(options.layers_mm.begin(), options.layers_mm.end(), 0.0);
   check(options, origins);
   options.restart = {file, saved.metal_toml, saved.time_us};
   const bool end_given =
@@ -171,11 +205,24 @@ FailureEffect default_failure(DamageLaw damage) {
 
 double default_end_us(Nose nose) { return nose == Nose::blunt ? 500 : 1500; }
 
+double target_depth_mm(const Options &o) { return std::accumulate(o.gaps_mm.begin(), o.gaps_mm.end(), o.thickness_mm); }
+
+std::string thickness_label(const Options &o) {
+  if (o.layers_mm.empty()) return shortest(o.thickness_mm) + "mm";
+  const bool apart = std::any_of(o.gaps_mm.begin(), o.gaps_mm.end(), [](double gap) { return gap > 0; });
+  const bool equal =
+      apart && std::count(o.gaps_mm.begin(), o.gaps_mm.end(), o.gaps_mm.front()) == std::ssize(o.gaps_mm);
+  return joined(o.layers_mm, "+") + "mm" +
+         (!apart  ? ""
+          : equal ? "_" + shortest(o.gaps_mm.front()) + "mm_apart"
+                  : "_" + joined(o.gaps_mm, "+") + "mm_apart");
+}
+
 std::filesystem::path default_out(const Options &o) {
   return std::filesystem::path("vtk_out") /
-         (label_of(o.material) + "_" + choice_name(o.model) + "_" + choice_name(o.nose) + "_" +
-          (o.diameter_mm == Options{}.diameter_mm ? "" : shortest(o.diameter_mm) + "mm_on_") +
-          shortest(o.thickness_mm) + "mm_" + shortest(o.velocity_mps) + "mps" +
+         (material_label(o) + "_" + choice_name(o.model) + "_" + choice_name(o.nose) + "_" +
+          (o.diameter_mm == Options{}.diameter_mm ? "" : shortest(o.diameter_mm) + "mm_on_") + thickness_label(o) +
+          "_" + shortest(o.velocity_mps) + "mps" +
           (o.obliquity_deg == 0 ? "" : "_" + shortest(o.obliquity_deg) + "deg") +
           (o.method == Method::sfm ? "" : "_" + choice_name(o.method)));
 }
@@ -205,13 +252,19 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
   Origins origins;
   if (line.config) {
     for (const Given &given : read_toml(*line.config)) apply(options, origins, given);
-    if (is_material_file(options.material))
-      options.material = (std::filesystem::path(*line.config).parent_path() / options.material).string();
+    const auto from_there = [&](std::string &material) {
+      if (is_material_file(material))
+        material = (std::filesystem::path(*line.config).parent_path() / material).string();
+    };
+    from_there(options.material);
+    for (std::string &material : options.layer_materials) from_there(material);
   }
+  for (const Given &given : line.given) override_layers(options, origins, given.key);
   for (const Given &given : line.given) apply(options, origins, given);
 
+  settle_layers(options, origins);
   if (!origins.contains("damage")) options.damage = default_damage(options.method);
-  settle_material(options, origins);
+  settle_materials(options, origins);
   if (options.damage != DamageLaw::none) {
     if (!origins.contains("damage_softening")) options.damage_softening = default_softening(options.method);
     if (!origins.contains("damage_length_mm")) options.damage_length_mm = default_damage_length_mm(options.method);

@@ -13,6 +13,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 /// \file
 /// What a user can choose for a run of `perforate`, from the command line and from a TOML file.
@@ -37,7 +38,7 @@ enum class ElementRule { one_point, selective_reduced };
 /// What a run that goes on from a checkpoint has from there, besides the options of its case.
 struct Restart {
   std::filesystem::path file;
-  std::string metal_toml; ///< the metal of the plate
+  std::string metal_toml; ///< the metal of the plate, or those of the plates
   double time_us = 0;     ///< of the checkpoint
 
   bool operator==(const Restart &) const = default;
@@ -52,7 +53,10 @@ struct Options {
   FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
   double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
   double damage_length_mm = 0;                 ///< parse() takes default_damage_length_mm() where none is given
-  double thickness_mm = 12;
+  double thickness_mm = 12;                    ///< of several plates the sum
+  std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
+  std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
+  std::vector<std::string> layer_materials; ///< one for each plate, the first one's is `material` too; empty: all that
   double clamp_radius_mm = 250;
 
   Nose nose = Nose::blunt;
@@ -132,6 +136,13 @@ double default_end_us(Nose nose);
 /// vtk_out/<material, or the stem of its file>_<model>_<nose>_<thickness>mm_<velocity>mps, with diameter, obliquity and
 /// method where they are not those of the paper.
 std::filesystem::path default_out(const Options &options);
+
+/// Distance from the front face of the first plate to the rear face of the last one, mm.
+double target_depth_mm(const Options &options);
+
+/// The thicknesses of the plates and the gaps between them, for titles and folders: "12mm"; "6+6mm",
+/// "4+8mm_10mm_apart".
+std::string thickness_label(const Options &options);
 
 /// Number of particles that a case will have, up to the edge of the disc.
 double estimated_particles(const Options &options);

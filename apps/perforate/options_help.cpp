@@ -10,6 +10,8 @@ using input::help_item;
 
 std::string shown(double value) { return shortest(value); }
 std::string shown(const std::string &value) { return value; }
+std::string shown(const std::vector<double> &) { return "none"; }
+std::string shown(const std::vector<std::string> &) { return "none"; }
 std::string shown(bool value) { return value ? "yes" : "no"; }
 template <class E> std::string shown(E value) { return choice_name(value); }
 
@@ -18,6 +20,8 @@ std::string placeholder(const std::string &) { return " NAME|FILE.toml"; }
 std::string placeholder(bool) { return ""; }
 std::string placeholder(const std::optional<int> &) { return " N"; }
 std::string placeholder(const std::filesystem::path &) { return " FOLDER"; }
+std::string placeholder(const std::vector<double> &) { return " X,X,..."; }
+std::string placeholder(const std::vector<std::string> &) { return " NAME,NAME,..."; }
 template <class E> std::string placeholder(E) { return " NAME"; }
 
 std::string allowed(const Entry &entry, double) { return "; " + text_of(entry.limits, " to "); }
@@ -26,6 +30,12 @@ std::string allowed(const Entry &entry, bool) { return "; --no-" + flag_of(entry
 std::string allowed(const Entry &, const std::filesystem::path &) { return ""; }
 std::string allowed(const Entry &, const std::string &) {
   return ": " + allowed_materials() + "; \"list\" prints all constants of the library";
+}
+std::string allowed(const Entry &entry, const std::vector<double> &) {
+  return "; numbers " + text_of(entry.limits, " to ") + " with commas between them";
+}
+std::string allowed(const Entry &, const std::vector<std::string> &) {
+  return ": as for --material, with commas between them";
 }
 template <class E> std::string allowed(const Entry &, E kind) { return ": " + choice_names(kind); }
 
@@ -75,6 +85,8 @@ std::string help() {
   text += "\nExamples:\n"
           "  perforate\n"
           "  perforate --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 214\n"
+          "  perforate --layers-mm 6,6 --gaps-mm 10 --velocity-mps 250\n"
+          "  perforate --layers-mm 4,8 --layer-materials weldox_460e,aa5083_h116\n"
           "  perforate --material my_steel.toml --thickness-mm 10 --damage jc\n"
           "  perforate --nose ogival --diameter-mm 7.62 --calibre-radius-head 3 --mass-g 10 --obliquity-deg 30\n"
           "            --extent half --thickness-mm 6 --velocity-mps 800\n"

@@ -40,6 +40,21 @@ AnyMetal made(const LibraryMetal &entry, FlowModel model) {
   return any;
 }
 
+/// The comment between the metals of two plates.
+constexpr char next_plate[] = "next plate";
+
+/// The metals of metals_text(), one by one.
+std::vector<std::string> metal_texts(std::string_view all) {
+  const std::string mark = "\n# " + std::string(next_plate) + "\n";
+  std::vector<std::string> texts;
+  for (std::size_t end = all.find(mark); end != std::string_view::npos; end = all.find(mark)) {
+    texts.emplace_back(all.substr(0, end + 1));
+    all.remove_prefix(end + 1);
+  }
+  texts.emplace_back(all);
+  return texts;
+}
+
 /// The constants of a group, or of all but damage.
 template <class M> std::string constants(const M &metal, std::initializer_list<Group> groups) {
   std::string text;
@@ -80,24 +95,49 @@ double default_friction(Nose nose, const std::string &material) {
   return metal == nullptr ? 0.08 : metal->sharp_friction;
 }
 
-AnyMetal read_metal(const Options &o, const std::string &origin) {
-  const LibraryMetal *metal = find_library_metal(o.material);
-  return metal == nullptr ? material_file::read(o.material, origin) : made(*metal, o.model);
+AnyMetal read_metal(const Options &o, const std::string &material, const std::string &origin) {
+  const LibraryMetal *metal = find_library_metal(material);
+  return metal == nullptr ? material_file::read(material, origin) : made(*metal, o.model);
 }
 
-AnyMetal plate_of(const Options &o) {
-  AnyMetal any = o.restart ? material_file::parse(o.restart->metal_toml, "metal in " + o.restart->file.string())
-                           : read_metal(o, "--material");
-  std::visit(
-      [&](auto &metal) {
-        metal.eos.law = o.pressure;
-        metal.damage.law = o.damage;
-        metal.damage.effect = o.failure;
-        metal.damage.softening = o.damage_softening;
-        metal.damage.length = o.damage_length_mm * 1e-3;
-      },
-      any);
-  return any;
+AnyMetal read_metal(const Options &o, const std::string &origin) { return read_metal(o, o.material, origin); }
+
+std::vector<std::string> materials_of(const Options &o) {
+  if (!o.layer_materials.empty()) return o.layer_materials;
+  return std::vector(std::max<std::size_t>(1, o.layers_mm.size()), o.material);
+}
+
+std::vector<AnyMetal> plates_of(const Options &o) {
+  std::vector<AnyMetal> plates;
+  if (o.restart) {
+    const std::string name = "metal in " + o.restart->file.string();
+    for (const std::string &text : metal_texts(o.restart->metal_toml))
+      plates.push_back(material_file::parse(text, name));
+    if (plates.size() == 1) plates.resize(materials_of(o).size(), plates.front());
+  } else {
+    const char *origin = o.layer_materials.empty() ? "--material" : "--layer-materials";
+    for (const std::string &material : materials_of(o)) plates.push_back(read_metal(o, material, origin));
+  }
+  for (AnyMetal &any : plates)
+    std::visit(
+        [&](auto &metal) {
+          metal.eos.law = o.pressure;
+          metal.damage.law = o.damage;
+          metal.damage.effect = o.failure;
+          metal.damage.softening = o.damage_softening;
+          metal.damage.length = o.damage_length_mm * 1e-3;
+        },
+        any);
+  return plates;
+}
+
+AnyMetal plate_of(const Options &o) { return plates_of(o).front(); }
+
+std::string metals_text(const Options &o, const std::vector<AnyMetal> &plates) {
+  std::string text = material_file::to_toml(plates.front(), "");
+  for (std::size_t k = 1; k < plates.size() && !o.layer_materials.empty(); ++k)
+    text += material_file::to_toml(plates[k], next_plate);
+  return text;
 }
 
 std::string library_list() {

@@ -22,10 +22,11 @@ double estimated_bytes(const Options &o) {
 
 void prepare_out(const Options &options) {
   std::error_code missing;
-  if (!options.restart && is_material_file(options.material) &&
-      std::filesystem::equivalent(options.out / "case.toml", options.material, missing))
-    input::refuse("--material", options.material,
-                  "must not be case.toml in the folder for the results: that is overwritten");
+  for (const std::string &material : materials_of(options))
+    if (!options.restart && is_material_file(material) &&
+        std::filesystem::equivalent(options.out / "case.toml", material, missing))
+      input::refuse(options.layer_materials.empty() ? "--material" : "--layer-materials", material,
+                    "must not be case.toml in the folder for the results: that is overwritten");
   input::prepare_out(options.out, estimated_bytes(options), "; a longer --output-every-us or --no-vtk needs less");
 }
 

@@ -102,6 +102,22 @@ template <class E> std::string choice_name(E value) { return input::name_in(choi
 /// All names of a kind of choice, separated by commas.
 template <class E> std::string choice_names(E kind) { return input::names_in(choices(kind)); }
 
+/// True for an option that takes a list.
+template <class V> inline constexpr bool is_list = false;
+template <class V> inline constexpr bool is_list<std::vector<V>> = true;
+
+/// Texts with `separator` between them.
+inline std::string joined(const std::vector<std::string> &texts, const std::string &separator) {
+  std::string all;
+  for (const std::string &text : texts) all += (all.empty() ? "" : separator) + text;
+  return all;
+}
+inline std::string joined(const std::vector<double> &numbers, const std::string &separator) {
+  std::vector<std::string> texts;
+  for (const double number : numbers) texts.push_back(shortest(number));
+  return joined(texts, separator);
+}
+
 /// Most threads that may be asked for.
 inline double most_threads() { return std::max(64.0, 4.0 * std::thread::hardware_concurrency()); }
 
@@ -135,6 +151,21 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           {0, 100, "mm"}},
     o.damage_length_mm);
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);
+  f(Entry{plate,
+          "layers_mm",
+          "thicknesses of several plates behind each other, from front to rear, instead of --thickness-mm",
+          "none: one plate",
+          {0.5, 100, "mm"}},
+    o.layers_mm);
+  f(Entry{plate,
+          "gaps_mm",
+          "free distances between the plates of --layers-mm, one for all or one less than plates",
+          "0: they touch",
+          {0, 1000, "mm"}},
+    o.gaps_mm);
+  f(Entry{plate, "layer_materials", "of the plates of --layers-mm, one for each",
+          "that of --material: the same for all"},
+    o.layer_materials);
   f(Entry{plate, "clamp_radius_mm", "radius at which the plate is clamped", "tests", {12, 2000, "mm"}},
     o.clamp_radius_mm);
 

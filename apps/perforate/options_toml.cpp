@@ -16,6 +16,12 @@ std::string toml_value(bool value) { return value ? "true" : "false"; }
 std::string toml_value(const std::optional<int> &value) { return std::to_string(*value); }
 std::string toml_value(const std::filesystem::path &value) { return toml_string(value.string()); }
 std::string toml_value(const std::string &value) { return toml_string(value); }
+std::string toml_value(const std::vector<double> &values) { return "[" + joined(values, ", ") + "]"; }
+std::string toml_value(const std::vector<std::string> &values) {
+  std::vector<std::string> quoted;
+  for (const std::string &value : values) quoted.push_back(toml_string(value));
+  return "[" + joined(quoted, ", ") + "]";
+}
 template <class E> std::string toml_value(E value) { return toml_string(choice_name(value)); }
 
 /// Values that a reader of the file should choose anew: a folder named after the case, the threads of this machine; and
@@ -28,11 +34,15 @@ bool left_to_reader(const Options &options, const FailureEffect &failure) {
   return failure == default_failure(options.damage);
 }
 bool left_to_reader(const Options &options, const double &value) {
-  return (&value == &options.nose_length_mm && value == default_nose_length_mm(options)) ||
+  return (&value == &options.thickness_mm && !options.layers_mm.empty()) ||
+         (&value == &options.nose_length_mm && value == default_nose_length_mm(options)) ||
          (&value == &options.length_mm && value == default_length_mm(options)) ||
          &value == &options.calibre_radius_head;
 }
 bool left_to_reader(const Options &, const std::optional<int> &threads) { return !threads; }
+/// The material follows from those of the plates.
+bool left_to_reader(const Options &options, const std::string &) { return !options.layer_materials.empty(); }
+template <class V> bool left_to_reader(const Options &, const std::vector<V> &list) { return list.empty(); }
 template <class V> bool left_to_reader(const Options &, const V &) { return false; }
 
 } // namespace
@@ -75,6 +85,10 @@ std::string to_complete_toml(const Options &options) {
   for_each_option(options, [&]<class V>(const Entry &entry, const V &value) {
     if constexpr (std::is_same_v<V, std::optional<int>>)
       if (!value) return;
+    if constexpr (is_list<V>)
+      if (value.empty()) return;
+    // Beyond the limits of one plate, and known from its parts.
+    if ((const void *)&value == (const void *)&options.thickness_mm && !options.layers_mm.empty()) return;
     text += std::string(entry.key) + " = " + toml_value(value) + "\n";
   });
   return text;

@@ -6,6 +6,7 @@
 #include "ogive/version.hpp"
 #include "options_material.hpp"
 #include "options_projectile.hpp"
+#include "options_table.hpp"
 
 #include <nlohmann/json.hpp>
 #include <omp.h>
@@ -28,8 +29,14 @@ bool perforated(const Shot &shot) {
 
 double residual_mps(const Shot &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
 
-Shot shoot(const Options &options, const material_file::AnyMetal &plate) {
-  return std::visit([&](const auto &metal) { return shoot(options, metal); }, plate);
+Shot shoot(const Options &options, const std::vector<material_file::AnyMetal> &plates) {
+  return std::visit(
+      [&]<class M>(const M &) {
+        std::vector<M> metals;
+        for (const auto &plate : plates) metals.push_back(std::get<M>(plate));
+        return shoot(options, metals);
+      },
+      plates.front());
 }
 
 namespace {
@@ -79,17 +86,29 @@ const char *ending(const Shot &s) {
   }
 }
 
+void add_shape(nlohmann::ordered_json &j, const ogive::PlateShape<double> &shape) {
+  j["plug_thickness_mm"] = shape.plug_thickness * 1e3;
+  j["dishing_mm"] = shape.dishing * 1e3;
+  j["kept_fraction"] = shape.kept_fraction;
+  j["petal_height_mm"] = shape.petal_height * 1e3;
+  j["band_temperature_K"] = shape.band_temperature;
+  j["core_temperature_K"] = shape.core_temperature;
+  j["most_temperature_K"] = shape.most_temperature;
+}
+
 std::string case_title(const Options &o, const Shot &s) {
-  char sizes[64];
-  std::snprintf(sizes, sizeof sizes, "%g mm, %g m/s", o.thickness_mm, o.velocity_mps);
-  return s.material + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes;
+  std::string sizes = shortest(o.thickness_mm) + " mm, ";
+  if (!o.layers_mm.empty()) sizes = joined(o.layers_mm, " + ") + " mm, ";
+  if (target_depth_mm(o) > o.thickness_mm) sizes += joined(o.gaps_mm, ", ") + " mm apart, ";
+  return s.material + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes +
+         shortest(o.velocity_mps) + " m/s";
 }
 
 } // namespace
 
 std::optional<experiment::Residual> find_test(const Options &o) {
   const LibraryMetal *metal = find_library_metal(o.material);
-  if (metal == nullptr || !is_of_the_tests(o)) return std::nullopt;
+  if (metal == nullptr || !is_of_the_tests(o) || !o.layers_mm.empty()) return std::nullopt;
   return experiment::find_residual(data_folder(), std::string(metal->test_name), std::string(ogive::name(o.nose)),
                                    o.thickness_mm, o.velocity_mps);
 }
@@ -142,13 +161,7 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   if (test) j["test_residual_velocity_mps"] = test->residual_mps, j["test_origin"] = test->origin;
   j["plug_mass_g"] = s.fragments.plug_mass * 1e3;
   j["plug_velocity_mps"] = s.fragments.plug_velocity;
-  j["plug_thickness_mm"] = s.shape.plug_thickness * 1e3;
-  j["dishing_mm"] = s.shape.dishing * 1e3;
-  j["kept_fraction"] = s.shape.kept_fraction;
-  j["petal_height_mm"] = s.shape.petal_height * 1e3;
-  j["band_temperature_K"] = s.shape.band_temperature;
-  j["core_temperature_K"] = s.shape.core_temperature;
-  j["most_temperature_K"] = s.shape.most_temperature;
+  if (s.layers.size() == 1) add_shape(j, s.layers.front().shape);
   j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
   j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
   j["failed_particles"] = s.fragments.failed;
@@ -172,6 +185,19 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   }
   j["peak_memory_mb"] = peak_memory_mb();
   j["state_hash"] = hash;
+  for (std::size_t k = 0; k < o.layers_mm.size(); ++k) {
+    const LayerResult &layer = s.layers[k];
+    nlohmann::ordered_json entry;
+    entry["material"] = layer.material;
+    entry["thickness_mm"] = o.layers_mm[k];
+    entry["gap_before_mm"] = k == 0 ? 0 : o.gaps_mm[k - 1];
+    entry["plug_mass_g"] = layer.fragments.plug_mass * 1e3;
+    entry["plug_velocity_mps"] = layer.fragments.plug_velocity;
+    add_shape(entry, layer.shape);
+    entry["debris_mass_g"] = layer.fragments.debris_mass * 1e3;
+    entry["failed_mass_g"] = layer.fragments.failed_mass * 1e3;
+    j["layers"].push_back(entry);
+  }
   ogive::write_atomically(o.out / "summary.json", j.dump(2) + "\n");
 }
 
@@ -191,7 +217,7 @@ std::string draw(const Options &o, const Shot &s, const std::optional<experiment
     ogive::SectionPicture picture;
     picture.title = case_title(o, s) + when;
     picture.bar_title = "plastic strain";
-    const double low = std::min(-o.thickness_mm - 14, -s.flight.samples.back().nose * 1e3 - 14);
+    const double low = std::min(-target_depth_mm(o) - 14, -s.flight.samples.back().nose * 1e3 - 14);
     picture.centre_z_mm = 0.5 * (low + 22);
     picture.half_height_mm = std::max(30.0, 0.5 * (22 - low));
     ogive::render_section(s.last_frame, s.symmetry, o.out / "section.png", picture);
@@ -217,6 +243,10 @@ void print_table(const Options &o, const Shot &s, const std::optional<experiment
   if (o.nose == Nose::blunt || s.fragments.plug_mass > 1e-3)
     std::printf("  %-22s %.2f g at %.1f m/s, debris %.2f g\n", "plug", s.fragments.plug_mass * 1e3,
                 s.fragments.plug_velocity, s.fragments.debris_mass * 1e3);
+  for (std::size_t k = 0; k < o.layers_mm.size(); ++k)
+    std::printf("  %-22s %.2f g at %.1f m/s, %g mm of %s\n", ("  of plate " + std::to_string(k + 1)).c_str(),
+                s.layers[k].fragments.plug_mass * 1e3, s.layers[k].fragments.plug_velocity, o.layers_mm[k],
+                s.layers[k].material.c_str());
   if (o.damage != DamageLaw::none)
     std::printf("  %-22s %.2f g, %ld of the particles computed\n", "failed", s.fragments.failed_mass * 1e3,
                 static_cast<long>(s.fragments.failed));

@@ -39,7 +39,7 @@ void print_restart(const char *program, const perforate::Options &options) {
 } // namespace
 
 Outcome run_case(const Options &options, const char *program, Telling telling) {
-  const auto plate = plate_of(options);
+  const auto plates = plates_of(options);
   prepare_out(options);
   if (options.threads) omp_set_num_threads(*options.threads);
 
@@ -47,7 +47,7 @@ Outcome run_case(const Options &options, const char *program, Telling telling) {
   Outcome outcome;
   Shot &shot = outcome.shot;
   try {
-    shot = shoot(options, plate);
+    shot = shoot(options, plates);
   } catch (const ogive::WriteError &error) {
     std::fprintf(stderr, "perforate: error: %s\n", error.what());
     print_restart(program, options);

@@ -18,12 +18,14 @@ namespace perforate {
 /// What the projectile's mesh and the plate's particles amount to.
 template <class M> Sizes sizes_of(const M &model) {
   Sizes s;
-  const auto &particles = ogive::disc(model);
   const auto &shot = ogive::projectile(model);
-  s.particles = particles.points.size();
-  s.hexes = static_cast<long>(ogive::rim(model).hexes.size() + shot.hexes.size());
-  s.spacing_mm = particles.spacing * 1e3;
-  s.plate_disc_mass_g = ogive::whole_mass(particles.point_mass, model.symmetry) * 1e3;
+  s.hexes = static_cast<long>(shot.hexes.size());
+  for (const auto &rim : ogive::rims(model)) s.hexes += static_cast<long>(rim.hexes.size());
+  for (const auto &disc : ogive::discs(model)) {
+    s.particles += disc.points.size();
+    s.plate_disc_mass_g += ogive::whole_mass(disc.point_mass, model.symmetry) * 1e3;
+  }
+  s.spacing_mm = ogive::disc(model).spacing * 1e3;
   s.projectile_mass_g = ogive::whole_mass(shot.point_mass, model.symmetry) * 1e3;
   double nodal = 0;
   for (ogive::Index n = shot.nodes.begin; n < shot.nodes.end; ++n) nodal += model.nodes.mass[n];
@@ -65,9 +67,17 @@ void take_look(const M &now, const ogive::Energy<double> &e, const ogive::Projec
   course.history.insert(course.history.end(), row.begin(), row.end());
 }
 
+/// "weldox_460e", or "weldox_460e + aa5083_h116".
+template <class Law> std::string name_of(const std::vector<ogive::Metal<double, Law>> &plates) {
+  std::string names = plates.front().name;
+  const bool same = std::all_of(plates.begin(), plates.end(), [&](const auto &p) { return p.name == names; });
+  for (std::size_t k = 1; k < plates.size() && !same; ++k) names += " + " + plates[k].name;
+  return names;
+}
+
 /// Runs a case with the kernel, form and hexes chosen at compile time.
 template <class Kernel, class Form, class Rule, class Law>
-Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) {
+Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, Law>> &plates) {
   auto numerics = ogive::options_of<double>(options.method);
   numerics.sph.control.stiffness = options.control_stiffness;
   numerics.contact_stiffness = options.contact_stiffness;
@@ -76,12 +86,14 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   numerics.sph.variable_smoothing = options.smoothing == Smoothing::variable;
   const auto c = to_case(options);
   auto model =
-      ogive::make_perforation<Kernel, Form, Rule>(c, plate, ogive::library::arne_tool_steel<double>(), numerics);
+      ogive::make_perforation<Kernel, Form, Rule>(c, plates, ogive::library::arne_tool_steel<double>(), numerics);
   const auto &shape = c.projectile;
-  const auto undeformed = ogive::disc_positions(model);
+  std::vector<std::vector<ogive::Vec3<double>>> undeformed;
+  for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::disc_positions(model, k));
+  const std::vector<material_file::AnyMetal> metals(plates.begin(), plates.end());
 
   Shot shot;
-  shot.material = plate.name;
+  shot.material = name_of(plates);
   shot.sizes = sizes_of(model);
   shot.flight = ogive::start_flight(c);
   shot.symmetry = model.symmetry;
@@ -91,7 +103,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   if (options.restart) go_on(options, model, state, shot, course);
   announce(options, shot);
   const SignalCatcher catcher;
-  start_results(options, plate);
+  start_results(options, metals);
   Files files = open_files(options, course);
   Progress progress{.quiet = options.quiet, .before_s = course.wall_s, .cpu_before_s = course.cpu_s};
   Keeper keeper = start_keeper(options, model.time * 1e6, course.wall_s);
@@ -126,7 +138,7 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
     if (is_due(keeper, now.time * 1e6, course.wall_s) || at_end || shot.interrupted_by != 0)
       writing([&] {
         ogive::write_checkpoint(options.out / checkpoint_name, now, run,
-                                notes_of(options, plate, shot, course, now.time * 1e6));
+                                notes_of(options, metals, shot, course, now.time * 1e6));
       });
     return shot.interrupted_by != 0;
   };
@@ -142,7 +154,9 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
   shot.steps = model.steps;
   shot.simulated_us = model.time * 1e6;
   shot.fragments = ogive::find_fragments(model);
-  shot.shape = ogive::plate_shape(model, undeformed, shape.diameter / 2, c.thickness);
+  for (std::size_t k = 0; k < plates.size(); ++k)
+    shot.layers.push_back({plates[k].name, ogive::find_fragments_of(model, k),
+                           ogive::plate_shape(model, undeformed[k], shape.diameter / 2, ogive::layers_of(c)[k], k)});
   shot.state_hash = ogive::state_hash(model);
   shot.times = model.times;
   shot.last_frame = ogive::gather_frame(model);
@@ -150,10 +164,10 @@ Shot shoot_with(const Options &options, const ogive::Metal<double, Law> &plate) 
 }
 
 /// Runs a case: the choices of kernel, form and hexes become types here.
-template <class Law> Shot shoot_metal(const Options &o, const ogive::Metal<double, Law> &plate) {
+template <class Law> Shot shoot_metals(const Options &o, const std::vector<ogive::Metal<double, Law>> &plates) {
   const auto with_rule = [&]<class Kernel, class Form>() {
-    return o.element == ElementRule::one_point ? shoot_with<Kernel, Form, ogive::OnePoint>(o, plate)
-                                               : shoot_with<Kernel, Form, ogive::SelectiveReduced>(o, plate);
+    return o.element == ElementRule::one_point ? shoot_with<Kernel, Form, ogive::OnePoint>(o, plates)
+                                               : shoot_with<Kernel, Form, ogive::SelectiveReduced>(o, plates);
   };
   const auto with_form = [&]<class Kernel>() {
     return o.form == SphForm::renormalised ? with_rule.template operator()<Kernel, ogive::RenormalisedForm>()

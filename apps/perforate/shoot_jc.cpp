@@ -2,8 +2,8 @@
 
 namespace perforate {
 
-Shot shoot(const Options &options, const ogive::Metal<double, ogive::JohnsonCook<double>> &plate) {
-  return shoot_metal(options, plate);
+Shot shoot(const Options &options, const std::vector<ogive::Metal<double, ogive::JohnsonCook<double>>> &plates) {
+  return shoot_metals(options, plates);
 }
 
 } // namespace perforate

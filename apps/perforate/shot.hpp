@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace perforate {
 
@@ -25,23 +26,30 @@ struct Sizes {
   double time_step_us = 0;
 };
 
+/// What has become of one of several plates.
+struct LayerResult {
+  std::string material; ///< name of its metal
+  ogive::Fragments<double> fragments;
+  ogive::PlateShape<double> shape;
+};
+
 /// Everything that a finished shot tells.
 struct Shot {
-  std::string material; ///< name of the plate's metal
+  std::string material; ///< name of the plate's metal; of several "first + second + ..." if they differ
   Sizes sizes;
   ogive::Flight<double> flight;
   ogive::StopReason reason = ogive::StopReason::end_time;
   std::optional<ogive::Fault> fault;
-  int interrupted_by = 0; ///< signal; 0: the run came to its end
-  ogive::Fragments<double> fragments;
-  ogive::PlateShape<double> shape;
-  double intrusion_mm = 0;       ///< deepest over the frames: particle behind the projectile's surface
-  double hourglass_fraction = 0; ///< of the initial energy, at the end
-  double energy_error = 0;       ///< largest over the run, of the initial energy
-  double momentum_error = 0;     ///< largest over the run, against the supports' impulse, of the initial momentum
-  double loop_s = 0;             ///< wall time of the time loop without writing files
-  double wall_s = 0;             ///< wall time of the whole run
-  double cpu_s = 0;              ///< processor time of all threads, of the whole run
+  int interrupted_by = 0;             ///< signal; 0: the run came to its end
+  ogive::Fragments<double> fragments; ///< of all plates
+  std::vector<LayerResult> layers;    ///< one for each plate
+  double intrusion_mm = 0;            ///< deepest over the frames: particle behind the projectile's surface
+  double hourglass_fraction = 0;      ///< of the initial energy, at the end
+  double energy_error = 0;            ///< largest over the run, of the initial energy
+  double momentum_error = 0;          ///< largest over the run, against the supports' impulse, of the initial momentum
+  double loop_s = 0;                  ///< wall time of the time loop without writing files
+  double wall_s = 0;                  ///< wall time of the whole run
+  double cpu_s = 0;                   ///< processor time of all threads, of the whole run
   long steps = 0;
   double simulated_us = 0;
   ogive::PhaseTimes times; ///< wall time of the parts of the time loop
@@ -57,13 +65,13 @@ bool perforated(const Shot &shot);
 /// Residual velocity in m/s, 0 unless perforated.
 double residual_mps(const Shot &shot);
 
-/// Runs the case with this metal (of plate_of()) as the plate, from the start or from the checkpoint of the options,
-/// and writes history, VTK files and checkpoints into `options.out`. Throws SetupError for a case that cannot be built
-/// or a checkpoint that does not fit it, WriteError for a file that cannot be written.
-Shot shoot(const Options &options, const material_file::AnyMetal &plate);
+/// Runs the case with these metals (of plates_of()) as the plates, from the start or from the checkpoint of the
+/// options, and writes history, VTK files and checkpoints into `options.out`. Throws SetupError for a case that cannot
+/// be built or a checkpoint that does not fit it, WriteError for a file that cannot be written.
+Shot shoot(const Options &options, const std::vector<material_file::AnyMetal> &plates);
 
 /// The parts of shoot(), one for each flow model so that they compile side by side.
-Shot shoot(const Options &options, const ogive::Metal<double, ogive::ModifiedJohnsonCook<double>> &plate);
-Shot shoot(const Options &options, const ogive::Metal<double, ogive::JohnsonCook<double>> &plate);
+Shot shoot(const Options &options, const std::vector<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>> &plates);
+Shot shoot(const Options &options, const std::vector<ogive::Metal<double, ogive::JohnsonCook<double>>> &plates);
 
 } // namespace perforate

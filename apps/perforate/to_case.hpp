@@ -12,6 +12,9 @@ namespace perforate {
 inline ogive::PerforationCase<double> to_case(const Options &o) {
   ogive::PerforationCase<double> c;
   c.thickness = o.thickness_mm * 1e-3;
+  if (!o.layers_mm.empty()) c.thickness = o.layers_mm.front() * 1e-3;
+  for (std::size_t k = 1; k < o.layers_mm.size(); ++k)
+    c.behind.push_back({o.gaps_mm[k - 1] * 1e-3, o.layers_mm[k] * 1e-3});
   c.clamp_radius = o.clamp_radius_mm * 1e-3;
   c.sph_radius = o.sph_radius_mm * 1e-3;
   c.spacing = o.spacing_mm * 1e-3;

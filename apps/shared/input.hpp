@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// \file
 /// What a user gives, on the command line or in a file: numbers as text, limits, and one-line errors.
@@ -30,11 +31,12 @@ struct Limits {
 
 /// What the user gave for one option or key.
 struct Given {
-  enum Kind { untyped, number, integer, boolean, text, other };
+  enum Kind { untyped, number, integer, boolean, text, list, other };
   std::string key;
   std::string where; ///< the flag, or file, line and key
   std::string value;
-  Kind kind = untyped; ///< the command line has only text, a TOML file has types
+  Kind kind = untyped;          ///< the command line has only text, a TOML file has types
+  std::vector<Given> entries{}; ///< of a list in a TOML file
 };
 
 /// A choice and its name.
@@ -138,6 +140,19 @@ inline std::string line_given(const Given &given, const std::string &allowed) {
       std::none_of(given.value.begin(), given.value.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   if (!may_be || given.value.empty() || !one_line) refuse(given, "must be " + allowed + ", on one line");
   return given.value;
+}
+
+/// The entries of a list that was given, for the checks of one: an array of a file, or text with commas between them.
+inline std::vector<Given> entries_given(const Given &given) {
+  if (given.kind == Given::list) return given.entries;
+  std::vector<Given> entries;
+  if (given.kind != Given::untyped && given.kind != Given::text) return {given};
+  for (std::size_t begin = 0; begin <= given.value.size();) {
+    const std::size_t end = std::min(given.value.find(',', begin), given.value.size());
+    entries.push_back({given.key, given.where, given.value.substr(begin, end - begin), Given::untyped});
+    begin = end + 1;
+  }
+  return entries;
 }
 
 /// The choice that was given; throws SetupError unless it is in the list.

@@ -58,8 +58,12 @@ Given given_from(const std::vector<std::string_view> &lines, const std::string &
   } else if (const auto *boolean = node.as_boolean()) {
     given.value = boolean->get() ? "true" : "false";
     given.kind = Given::boolean;
+  } else if (const auto *array = node.as_array()) {
+    given.value = "an array";
+    given.kind = Given::list;
+    for (const auto &entry : *array) given.entries.push_back(given_from(lines, key, entry, where));
   } else {
-    given.value = node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
+    given.value = node.is_table() ? "a table" : "a date or time";
   }
   return given;
 }

@@ -16,6 +16,8 @@ refuses("${PERFORATE}" "--velocity-mps = nan: must lie between 1 and 3000 m/s" -
 refuses("${PERFORATE}" "--friction = rough: must be a number between 0 and 2" --friction rough)
 refuses("${PERFORATE}" "--nose = flat: must be one of blunt, conical, ogival, hemispherical" --nose flat)
 refuses("${PERFORATE}" "--spacing-mm = 4: must be at most half the thickness" --thickness-mm 6 --spacing-mm 4)
+refuses("${PERFORATE}" "--layers-mm = 0.2: must lie between 0.5 and 100 mm" --layers-mm 6,0.2)
+refuses("${PERFORATE}" "--gaps-mm = 1,2: must be 1 number, or 1 between 2 plates" --layers-mm 6,6 --gaps-mm 1,2)
 refuses("${PERFORATE}" "--threads = 0: must be a whole number" --threads 0)
 refuses("${PERFORATE}" "--end-us: needs a value" --end-us)
 refuses("${PERFORATE}" "--no-such-option: unknown option" --no-such-option)

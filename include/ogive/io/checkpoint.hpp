@@ -117,6 +117,10 @@ template <class T, class... Bodies> void check_restored(const Model<T, Bodies...
                      [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
          contact.name + " facet");
   }
+  for (const auto &contact : model.particle_contacts) {
+    need(are_places(contact.searched_at), contact.name + " positions of the search");
+    need(contact.lost >= -1 && contact.lost < contact.nodes.size(), contact.name + " lost particle");
+  }
 }
 
 } // namespace checkpoint_detail

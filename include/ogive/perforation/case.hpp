@@ -5,6 +5,7 @@
 #include "ogive/fem/projectile.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace ogive {
 
@@ -14,10 +15,16 @@ enum class Lattice {
   ring   ///< concentric rings, layer by layer
 };
 
-/// A projectile that strikes the middle of a clamped round plate. The plate lies between z = 0 (front) and
-/// z = -thickness, the projectile flies towards -z; at an angle, towards +x too. SI units.
+/// A plate behind another one.
+template <class T> struct PlateBehind {
+  T gap{};       ///< m, from the rear face of the plate before; 0: they touch
+  T thickness{}; ///< m
+};
+
+/// A projectile that strikes the middle of a clamped round plate, or of several behind each other. The plate lies
+/// between z = 0 (front) and z = -thickness, the projectile flies towards -z; at an angle, towards +x too. SI units.
 template <class T> struct PerforationCase {
-  T thickness = T(12e-3);          ///< of the plate, m
+  T thickness = T(12e-3);          ///< of the plate, of the first one if there are several, m
   T clamp_radius = T(250e-3);      ///< of the plate, m
   T sph_radius = T(24e-3);         ///< radius of the disc of particles, m
   T spacing = T(0.6e-3);           ///< particle distance asked for, m
@@ -29,8 +36,32 @@ template <class T> struct PerforationCase {
   T obliquity = T(0);            ///< angle between the line of flight and the plate's axis, rad; not in a quarter model
   T friction = T(0);             ///< Coulomb, plate on projectile
   bool rigid_projectile = false; ///< it moves as one, and does not deform
-  Extent extent = Extent::quarter; ///< how much of the model is computed
+  Extent extent = Extent::quarter;      ///< how much of the model is computed
+  std::vector<PlateBehind<T>> behind{}; ///< more plates, in the order in which the projectile meets them
 };
+
+/// Most plates of a target: more are better taken for one with other properties.
+inline constexpr std::size_t most_layers = 8;
+
+/// Where a plate of a target lies.
+template <class T> struct Layer {
+  T front{};     ///< m, depth of its front face below that of the first one
+  T thickness{}; ///< m
+};
+
+/// All plates of a case from front to rear.
+template <class T> std::vector<Layer<T>> layers_of(const PerforationCase<T> &c) {
+  std::vector<Layer<T>> layers{{T(0), c.thickness}};
+  for (const PlateBehind<T> &plate : c.behind)
+    layers.push_back({layers.back().front + layers.back().thickness + plate.gap, plate.thickness});
+  return layers;
+}
+
+/// Depth of the last plate's rear face below the first one's front face, m.
+template <class T> T target_depth(const PerforationCase<T> &c) {
+  const Layer<T> last = layers_of(c).back();
+  return last.front + last.thickness;
+}
 
 /// Unit vector along the line of flight.
 template <class T> Vec3<T> direction_of_flight(const PerforationCase<T> &c) {
@@ -39,7 +70,7 @@ template <class T> Vec3<T> direction_of_flight(const PerforationCase<T> &c) {
 
 /// Smallest radius of the disc of particles, m: the projectile goes through it with two particle distances to spare.
 template <class T> T least_sph_radius(const PerforationCase<T> &c) {
-  return T(0.5) * c.projectile.diameter / std::cos(c.obliquity) + c.thickness * std::tan(c.obliquity) +
+  return T(0.5) * c.projectile.diameter / std::cos(c.obliquity) + target_depth(c) * std::tan(c.obliquity) +
          T(2) * c.spacing;
 }
 

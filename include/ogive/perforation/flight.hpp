@@ -26,7 +26,7 @@ enum class FlightState { in_progress, perforated, stopped };
 
 /// The projectile's flight so far and what has been concluded from it.
 template <class T> struct Flight {
-  T plate_thickness{};                          ///< m
+  T plate_thickness{};                          ///< m, from the front face to the rear one, of the last plate
   T initial_velocity{};                         ///< m/s
   Vec3<T> direction{T(0), T(0), T(-1)};         ///< of the initial flight
   bool sharp = false;                           ///< the nose has a length
@@ -49,7 +49,7 @@ template <class T, class F> void for_each_field(Flight<T> &flight, F &&f) {
 /// Starts the record of a shot.
 template <class T> Flight<T> start_flight(const PerforationCase<T> &c) {
   Flight<T> flight;
-  flight.plate_thickness = c.thickness;
+  flight.plate_thickness = target_depth(c);
   flight.initial_velocity = c.initial_velocity;
   flight.direction = direction_of_flight(c);
   flight.sharp = c.projectile.nose != Nose::blunt;

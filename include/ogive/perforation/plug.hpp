@@ -55,17 +55,18 @@ struct Pieces {
   bool hangs(Index i) const { return !failed[i] && at_rim[of[i]]; }
 };
 
-/// Pieces of sound particles that chains of neighbours nearer than `ratio` particle distances connect, and which of
-/// them the tie holds on the rim.
-template <class M> Pieces find_pieces(const M &model, double ratio = 1.5) {
-  const auto &body = disc(model);
+/// Pieces of sound particles of a plate that chains of neighbours nearer than `ratio` particle distances connect, and
+/// which of them the tie holds on the rim.
+template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::size_t layer = 0) {
+  const auto &body = disc(model, layer);
   using T = std::decay_t<decltype(body.spacing)>;
   Pieces p;
   p.of = connected_pieces(body, model.nodes, T(ratio) * body.spacing);
   const Index n = static_cast<Index>(p.of.size());
   p.at_rim.assign(n, false), p.failed.assign(n, false);
   for (const auto &tie : model.ties)
-    for (const auto &t : tie.nodes) p.at_rim[p.of[t.slave - body.nodes.begin]] = true;
+    for (const auto &t : tie.nodes)
+      if (t.slave >= body.nodes.begin && t.slave < body.nodes.end) p.at_rim[p.of[t.slave - body.nodes.begin]] = true;
   std::vector<T> mass(n, T(0));
   for (Index i = 0; i < n; ++i) {
     p.failed[i] = is_failed(body.metal.damage, body.points.damage[i]);
@@ -76,12 +77,12 @@ template <class M> Pieces find_pieces(const M &model, double ratio = 1.5) {
   return p;
 }
 
-/// Plug and debris: pieces of sound particles that no chain of neighbours nearer than `ratio` particle distances
-/// connects to the rim. In a quarter model a piece is taken with its mirror images.
-template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
-  const auto &body = disc(model);
+/// Plug and debris of a plate: pieces of sound particles that no chain of neighbours nearer than `ratio` particle
+/// distances connects to the rim. In a quarter model a piece is taken with its mirror images.
+template <class M> auto find_fragments_of(const M &model, std::size_t layer, double ratio = 1.5) {
+  const auto &body = disc(model, layer);
   using T = std::decay_t<decltype(body.spacing)>;
-  const Pieces pieces = find_pieces(model, ratio);
+  const Pieces pieces = find_pieces(model, ratio, layer);
   Fragments<T> f;
   T plug{}, momentum{}, debris{};
   for (Index i = 0; i < static_cast<Index>(pieces.of.size()); ++i) {
@@ -104,15 +105,39 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   return f;
 }
 
-/// True once a piece of at least 1 g has come off the plate.
-template <class M> bool is_plug_loose(const M &model) { return find_fragments(model).plug_mass > 1e-3; }
+/// Plugs and debris of all plates together: the masses of the plates' plugs are added up.
+template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
+  auto whole = find_fragments_of(model, 0, ratio);
+  for (std::size_t layer = 1; layer < discs(model).size(); ++layer) {
+    const auto next = find_fragments_of(model, layer, ratio);
+    if (const auto mass = whole.plug_mass + next.plug_mass; mass > 0)
+      whole.plug_velocity = (whole.plug_mass * whole.plug_velocity + next.plug_mass * next.plug_velocity) / mass;
+    whole.plug_mass += next.plug_mass;
+    whole.debris_mass += next.debris_mass;
+    whole.pieces += next.pieces;
+    whole.failed_mass += next.failed_mass;
+    whole.failed += next.failed;
+  }
+  return whole;
+}
 
-/// How far the particle that is deepest inside the projectile lies behind its surface, m; 0 if none is inside. Removed
-/// particles may be anywhere.
-template <class M> auto largest_intrusion(const M &model) {
+/// True once a piece of at least 1 g has come off the plate; of several plates, off each one of its share of that by
+/// the masses of the discs.
+template <class M> bool is_plug_loose(const M &model) {
+  double all = 0;
+  for (const auto &body : discs(model)) all += double(whole_mass(body.point_mass, model.symmetry));
+  for (std::size_t layer = 0; layer < discs(model).size(); ++layer) {
+    const double share = double(whole_mass(disc(model, layer).point_mass, model.symmetry)) / all;
+    if (!(find_fragments_of(model, layer).plug_mass > 1e-3 * share)) return false;
+  }
+  return true;
+}
+
+/// How far the particle of a disc that is deepest inside the projectile lies behind its surface, m; 0 if none is
+/// inside. Removed particles may be anywhere.
+template <class M, class Body> auto largest_intrusion_of(const M &model, const Body &body) {
   const auto &contact = model.contacts.front();
   const auto &nodes = model.nodes;
-  const auto &body = disc(model);
   using T = std::decay_t<decltype(body.spacing)>;
   Box<T> box;
   for (const Facet &f : contact.facets)
@@ -138,6 +163,14 @@ template <class M> auto largest_intrusion(const M &model) {
     }
     return best.normal.dot(p - best.position) < T(0) ? std::sqrt(best.distance_squared) : T(0);
   });
+}
+
+/// The same for the particles of all discs.
+template <class M> auto largest_intrusion(const M &model) {
+  auto deepest = largest_intrusion_of(model, disc(model));
+  for (std::size_t layer = 1; layer < discs(model).size(); ++layer)
+    deepest = std::max(deepest, largest_intrusion_of(model, disc(model, layer)));
+  return deepest;
 }
 
 } // namespace ogive

@@ -4,16 +4,17 @@
 #include "ogive/fem/facets.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/fem/hex_time_step.hpp"
-#include "ogive/fem/plate_rim.hpp"
 #include "ogive/fem/projectile.hpp"
 #include "ogive/material/library.hpp"
 #include "ogive/perforation/case.hpp"
+#include "ogive/perforation/plates.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/run.hpp"
-#include "ogive/sph/layout.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -29,14 +30,19 @@ template <class T> struct PerforationOptions {
   T largest_added_mass = T(0.01); ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
 };
 
-/// The bodies of a perforation model: disc of particles, rim of hexes, projectile of hexes.
+/// The bodies of a perforation model: for each plate a disc of particles and a rim of hexes; the projectile of hexes.
 template <class T, class Law, class Kernel, class Form, class Rule>
-using PerforationModel = Model<T, SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>;
+using PerforationModel = Model<T, std::vector<SphBody<T, Law, Kernel, Form>>, std::vector<HexBody<T, Law, Rule>>,
+                               HexBody<T, Bilinear<T>, Rule>>;
 
-/// The particles in the middle of the plate.
-template <class M> auto &disc(M &model) { return std::get<0>(model.bodies); }
+/// The discs of particles of all plates, from front to rear.
+template <class M> auto &discs(M &model) { return std::get<0>(model.bodies); }
+/// The rims of hexes around them.
+template <class M> auto &rims(M &model) { return std::get<1>(model.bodies); }
+/// The particles in the middle of a plate: of the only one, or of the `layer`-th from the front, from 0.
+template <class M> auto &disc(M &model, std::size_t layer = 0) { return discs(model)[layer]; }
 /// The hexes around them.
-template <class M> auto &rim(M &model) { return std::get<1>(model.bodies); }
+template <class M> auto &rim(M &model, std::size_t layer = 0) { return rims(model)[layer]; }
 /// The projectile.
 template <class M> auto &projectile(M &model) { return std::get<2>(model.bodies); }
 
@@ -101,65 +107,99 @@ template <class T> void check(const PerforationCase<T> &c) {
           "must leave room for the oblique projectile, at least " + std::to_string(least_sph_radius(c)));
   require(c.clamp_radius > c.sph_radius, "clamp radius (m)", c.clamp_radius,
           "must be larger than that of the particle disc");
+  require(c.behind.size() < most_layers, "number of plates", c.behind.size() + 1,
+          "must be 1 to " + std::to_string(most_layers));
+  for (std::size_t k = 0; k < c.behind.size(); ++k) {
+    const std::string plate = "plate " + std::to_string(k + 2);
+    require(std::isfinite(c.behind[k].gap) && c.behind[k].gap >= T(0), "gap before " + plate + " (m)", c.behind[k].gap,
+            "must not be negative");
+    require(std::isfinite(c.behind[k].thickness) && c.behind[k].thickness > T(0), "thickness of " + plate + " (m)",
+            c.behind[k].thickness, "must be positive");
+  }
   require(std::isfinite(c.initial_velocity) && c.initial_velocity > T(0), "initial velocity (m/s)", c.initial_velocity,
           "must be positive");
 }
 
-/// Builds the model of a case: a disc of particles tied to a rim of hexes that is clamped at its outer radius, and a
-/// projectile that touches the plate and flies towards -z. Throws SetupError for sizes that do not fit together.
+/// Builds the model of a case with a metal for each plate, from front to rear: each a disc of particles tied to a rim
+/// of hexes that is clamped at its outer radius; and a projectile that touches the first plate and flies towards -z.
+/// Plates touch each other without friction. Throws SetupError for sizes that do not fit together.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
-PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate,
-                                                              const Metal<T, Bilinear<T>> &projectile_metal,
-                                                              PerforationOptions<T> options = {}) {
+PerforationModel<T, Law, Kernel, Form, Rule>
+make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &plates,
+                 const Metal<T, Bilinear<T>> &projectile_metal, PerforationOptions<T> options = {}) {
   check(c);
+  const std::vector<Layer<T>> layers = layers_of(c);
+  require(plates.size() == layers.size(), "number of the plates' metals", plates.size(),
+          "must be " + std::to_string(layers.size()) + ", one for each plate");
   const SymmetryPlanes planes = symmetry_planes(c.extent);
-  const DiscShape<T> disc_shape{c.sph_radius, c.thickness, c.spacing};
-  const ParticleLayout<T> layout =
-      c.lattice == Lattice::cubic ? cubic_disc(disc_shape, c.extent) : ring_disc(disc_shape, c.extent);
-
   Nodes<T> nodes;
-  auto particles = add_sph_body<Kernel, Form>(nodes, layout, plate, "disc", planes, options.sph);
+  std::vector<SphBody<T, Law, Kernel, Form>> particles;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    particles.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k]), plates[k],
+                                                   body_name("disc", k, layers.size()), planes, options.sph));
+  const T spacing = particles.front().spacing, tolerance = T(1e-3) * spacing;
 
-  RimShape<T> rim_shape;
-  rim_shape.inner_radius = c.sph_radius;
-  rim_shape.outer_radius = c.clamp_radius;
-  rim_shape.thickness = c.thickness;
-  rim_shape.inner_size = options.rim_size_ratio * layout.spacing;
-  const HexMesh<T> mesh_of_rim = rim_mesh(rim_shape, c.extent);
-  auto rim_hexes = add_hex_body<Rule>(nodes, mesh_of_rim, plate, "rim", options.hex);
-  const T tolerance = T(1e-3) * layout.spacing;
-  hold_on_planes(nodes, rim_hexes.nodes, planes, tolerance);
-  clamp_at_radius(nodes, rim_hexes.nodes, c.clamp_radius);
+  std::vector<HexBody<T, Law, Rule>> rim_hexes;
+  std::vector<RimFacets> rim_facets;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const RimShape<T> shape = rim_shape(c, layers[k], options.rim_size_ratio * particles[k].spacing);
+    HexMesh<T> mesh = rim_mesh(shape, c.extent);
+    rim_facets.push_back(facets_of_rim(mesh, shape, planes, nodes.size()));
+    for (Vec3<T> &p : mesh.positions) p[2] -= layers[k].front;
+    rim_hexes.push_back(add_hex_body<Rule>(nodes, mesh, plates[k], body_name("rim", k, layers.size()), options.hex));
+    hold_on_planes(nodes, rim_hexes[k].nodes, planes, tolerance);
+    clamp_at_radius(nodes, rim_hexes[k].nodes, c.clamp_radius);
+  }
 
-  const HexMesh<T> shot_mesh = in_line_of_flight(projectile_mesh(c.projectile, layout.spacing, c.extent), c);
+  const HexMesh<T> shot_mesh = in_line_of_flight(projectile_mesh(c.projectile, spacing, c.extent), c);
   auto shot = add_hex_body<Rule>(nodes, shot_mesh, metal_of_mass(projectile_metal, c), "projectile", options.hex);
   hold_on_planes(nodes, shot.nodes, planes, tolerance);
   set_velocity(nodes, shot.nodes, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
+  T step_of_particles = std::numeric_limits<T>::max(), step_of_contact = step_of_particles;
+  for (const auto &body : particles) {
+    step_of_particles = std::min(step_of_particles, stable_time_step(body, nodes));
+    step_of_contact = std::min(step_of_contact, options.contact_courant * body.spacing / sound_speed(body.metal));
+  }
   if (!c.rigid_projectile)
-    raise_time_step_within(shot, nodes, stable_time_step(particles, nodes),
+    raise_time_step_within(shot, nodes, step_of_particles,
                            options.largest_added_mass * whole_mass(shot.point_mass, {}));
 
-  std::vector<Index> slaves;
-  std::vector<T> offset;
-  for (Index n = particles.nodes.begin; n < particles.nodes.end; ++n)
-    slaves.push_back(n), offset.push_back(T(0.5) * layout.spacing);
-  for (Index n = rim_hexes.nodes.begin; n < rim_hexes.nodes.end; ++n) slaves.push_back(n), offset.push_back(T(0));
-  auto contact = make_contact(nodes, std::move(slaves), std::move(offset),
+  Slaves<T> slaves;
+  for (const auto &body : particles) add_slaves(slaves, body.nodes, T(0.5) * body.spacing);
+  for (const auto &body : rim_hexes) add_slaves(slaves, body.nodes, T(0));
+  auto contact = make_contact(nodes, std::move(slaves.nodes), std::move(slaves.offset),
                               shifted(contact_facets(shot_mesh, c.extent), shot.nodes.begin), "plate on projectile",
                               ContactOptions<T>{.friction = c.friction,
                                                 .stiffness = options.contact_stiffness,
                                                 .rigid_masters = c.rigid_projectile},
                               planes);
-  contact.reference_time_step = options.contact_courant * layout.spacing / sound_speed(plate);
-  const auto edge = shifted(inner_facets(mesh_of_rim, rim_shape), rim_hexes.nodes.begin);
-  auto tie = make_tie(nodes, particles.nodes, edge, rim_hexes.hexes, layout.spacing);
+  contact.reference_time_step = step_of_contact;
+  std::vector<NodeToSurface<T>> contacts{std::move(contact)};
+  std::vector<ParticleContact<T>> particle_contacts;
+  if (layers.size() > 1) {
+    add_rim_contacts(contacts, nodes, particles, rim_hexes, rim_facets, c.sph_radius);
+    particle_contacts.push_back(make_disc_contact(
+        nodes, c, particles, options.contact_stiffness / (options.contact_courant * options.contact_courant)));
+  }
+  std::vector<Tie<T>> ties;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    ties.push_back(make_tie(nodes, particles[k].nodes, rim_facets[k].edge, rim_hexes[k].hexes, particles[k].spacing));
 
   PerforationModel<T, Law, Kernel, Form, Rule> model{
       std::move(nodes), std::tuple{std::move(particles), std::move(rim_hexes), std::move(shot)}, planes};
-  model.contacts.push_back(std::move(contact));
-  model.ties.push_back(std::move(tie));
+  model.contacts = std::move(contacts);
+  model.particle_contacts = std::move(particle_contacts);
+  model.ties = std::move(ties);
   if (c.rigid_projectile) model.rigid_parts.push_back({projectile(model).nodes});
   return model;
+}
+
+/// The same with one metal for all plates.
+template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
+PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate,
+                                                              const Metal<T, Bilinear<T>> &projectile_metal,
+                                                              PerforationOptions<T> options = {}) {
+  return make_perforation<Kernel, Form, Rule>(c, std::vector(1 + c.behind.size(), plate), projectile_metal, options);
 }
 
 } // namespace ogive

@@ -9,32 +9,33 @@
 
 namespace ogive {
 
-/// What a shot has made of the plate, in numbers that tell one way of failing from another. SI units; a radius or a
+/// What a shot has made of a plate, in numbers that tell one way of failing from another. SI units; a radius or a
 /// layer is that of the undeformed plate, R the projectile's radius.
 template <class T> struct PlateShape {
   T plug_thickness{};   ///< m, between the plug's front and rear faces within R/2; 0 without a plug or with a face gone
   T dishing{};          ///< m, mean deflection at radii of 1.4 R to 1.6 R, positive in the direction of flight
   T kept_fraction{};    ///< of the mass in the projectile's way (radius < R) that still hangs on the plate
-  T petal_height{};     ///< m, how far what hangs on the plate reaches beyond the undeformed rear face
+  T petal_height{};     ///< m, how far what hangs on the plate reaches beyond its undeformed rear face
   T band_temperature{}; ///< K, mean within one particle distance of the radius R
   T core_temperature{}; ///< K, mean within R/2
   T most_temperature{}; ///< K, of the hottest particle
 };
 
-/// Positions of the disc's particles, m, to be kept from before the first step.
-template <class M> auto disc_positions(const M &model) {
+/// Positions of the particles of a plate's disc, m, to be kept from before the first step.
+template <class M> auto disc_positions(const M &model, std::size_t layer = 0) {
   const auto &x = model.nodes.position;
-  const NodeRange range = disc(model).nodes;
+  const NodeRange range = disc(model, layer).nodes;
   return std::vector(x.begin() + range.begin, x.begin() + range.end);
 }
 
-/// The plate's shape now, from its particles and their undeformed positions (m), for a projectile of this radius (m)
-/// and a plate of this thickness (m).
+/// A plate's shape now, from its particles and their undeformed positions (m), for a projectile of this radius (m)
+/// and a plate that lies where `plate` says.
 template <class M, class T>
-PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, T thickness) {
-  const auto &body = disc(model);
-  const T spacing = body.spacing;
-  const Pieces pieces = find_pieces(model);
+PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, const Layer<T> &plate,
+                          std::size_t layer = 0) {
+  const auto &body = disc(model, layer);
+  const T spacing = body.spacing, rear_face = plate.front + plate.thickness;
+  const Pieces pieces = find_pieces(model, 1.5, layer);
   struct Mean {
     T sum{}, weight{};
     void add(T value, T w) { sum += w * value, weight += w; }
@@ -47,12 +48,12 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
     const T r = std::hypot(x0[0], x0[1]), mass = body.point_mass[i], temperature = body.points.temperature[i];
     const bool in_plug = pieces.of[i] == pieces.plug, hangs = pieces.hangs(i);
     if (in_plug && r < radius / T(2)) {
-      if (x0[2] > -spacing) front.add(x[2], mass);
-      if (x0[2] < spacing - thickness) rear.add(x[2], mass);
+      if (x0[2] > -plate.front - spacing) front.add(x[2], mass);
+      if (x0[2] < spacing - rear_face) rear.add(x[2], mass);
     }
     if (std::abs(r - T(1.5) * radius) < T(0.1) * radius) deflection.add(x0[2] - x[2], mass);
     if (r < radius) kept.add(hangs ? T(1) : T(0), mass);
-    if (hangs) shape.petal_height = std::max(shape.petal_height, -x[2] - thickness + spacing / T(2));
+    if (hangs) shape.petal_height = std::max(shape.petal_height, -x[2] - rear_face + spacing / T(2));
     if (std::abs(r - radius) < spacing) band.add(temperature, mass);
     if (r < radius / T(2)) core.add(temperature, mass);
     shape.most_temperature = std::max(shape.most_temperature, temperature);
@@ -63,6 +64,12 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   shape.band_temperature = band.value();
   shape.core_temperature = core.value();
   return shape;
+}
+
+/// The same for the only plate, or the first one, of this thickness (m).
+template <class M, class T>
+PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, T thickness) {
+  return plate_shape(model, undeformed, radius, Layer<T>{T(0), thickness});
 }
 
 } // namespace ogive

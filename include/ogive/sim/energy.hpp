@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/contact/force.hpp"
+#include "ogive/contact/particle_force.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sph/body.hpp"
@@ -60,6 +61,7 @@ template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &
     e.contact += normal_energy(contact);
     e.friction += friction_energy(contact);
   }
+  for (const auto &contact : model.particle_contacts) e.contact += normal_energy(contact);
   const T copies = T(model.symmetry.copies());
   for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction, &e.external})
     *part *= copies;

@@ -97,6 +97,12 @@ template <class T> void add_contact(Fingerprint &print, const NodeToSurface<T> &
   print.add(o.friction), print.add(o.stiffness), print.add(o.sticking), print.add(o.rigid_masters);
 }
 
+/// Adds bodies and stiffness of a contact of particles.
+template <class T> void add_contact(Fingerprint &print, const ParticleContact<T> &contact) {
+  print.add(contact.name), print.add(contact.symmetry), print.add(contact.nodes), print.add(contact.body);
+  print.add(contact.smoothing_length), print.add(contact.stiffness), print.add(contact.search_margin);
+}
+
 /// Hash of all that stays as it is during a run, and of the list of what does not: equal for models that one checkpoint
 /// fits. The state, such as positions and velocities, does not enter.
 template <class T, class... Bodies> std::uint64_t fingerprint(const Model<T, Bodies...> &model) {
@@ -104,6 +110,7 @@ template <class T, class... Bodies> std::uint64_t fingerprint(const Model<T, Bod
   print.add(model.nodes.size()), print.add(model.nodes.held), print.add(model.symmetry);
   for_each_body(model, [&](const auto &body) { add_body(print, body); });
   for (const auto &contact : model.contacts) add_contact(print, contact);
+  for (const auto &contact : model.particle_contacts) add_contact(print, contact);
   for (const auto &tie : model.ties)
     for (const auto &t : tie.nodes) {
       print.add(t.slave), print.add(t.masters);

@@ -88,7 +88,8 @@ std::optional<Fault> find_inverted(const Model<T, Bodies...> &model, Index least
   return fault;
 }
 
-/// A slave that contact has lost behind its surface, if any: a particle through the projectile.
+/// A slave that contact has lost behind its surface, or a particle deep in another body, if any: one through the
+/// projectile or from one plate into the next.
 template <class T, class... Bodies> std::optional<Fault> find_lost(const Model<T, Bodies...> &model) {
   for (const auto &contact : model.contacts) {
     if (contact.lost < 0) continue;
@@ -97,6 +98,13 @@ template <class T, class... Bodies> std::optional<Fault> find_lost(const Model<T
     what << "lies more than " << 1e3 * double(contact.search_margin) << " mm behind the surface of the contact \""
          << contact.name << "\", at " << in_mm(model.nodes.position[node]);
     return node_fault(model, node, what.str());
+  }
+  for (const auto &contact : model.particle_contacts) {
+    if (contact.lost < 0) continue;
+    const Index node = contact.nodes.begin + contact.lost;
+    return node_fault(model, node,
+                      "lies deep within another body of the contact \"" + contact.name + "\", at " +
+                          in_mm(model.nodes.position[node]));
   }
   return std::nullopt;
 }

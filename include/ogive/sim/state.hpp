@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/contact/particle_search.hpp"
 #include "ogive/contact/search.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/run.hpp"
@@ -68,6 +69,15 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     FullOrEmpty searched_at{contact.searched_at, nodes};
     field("positions of the search", searched_at);
   }
+  for (auto &contact : model.particle_contacts) {
+    const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
+    field("volume", contact.volume);
+    field("forces", contact.forces);
+    field("normal_energy", contact.normal_energy);
+    field("lost", contact.lost);
+    FullOrEmpty searched_at{contact.searched_at, contact.volume.size()};
+    field("positions of the search", searched_at);
+  }
 }
 
 /// Makes the neighbour lists and the candidates of contacts anew, from the positions that they were made from: the same
@@ -84,6 +94,9 @@ template <class T, class... Bodies> void renew_lists(Model<T, Bodies...> &model)
     then.position = contact.searched_at;
     search(contact, then);
   }
+  for (auto &contact : model.particle_contacts)
+    if (const std::vector<Vec3<T>> then = contact.searched_at; !then.empty())
+      search(contact, std::span<const Vec3<T>>(then));
 }
 
 } // namespace ogive

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/contact/force.hpp"
+#include "ogive/contact/particle_force.hpp"
 #include "ogive/contact/release.hpp"
 #include "ogive/contact/tie.hpp"
 #include "ogive/fem/hex_force.hpp"
@@ -28,6 +29,10 @@ template <class M, class T> void step(M &model, T dt) {
   for (auto &contact : model.contacts) {
     for_each_body(model, [&](const auto &body) { release_removed(contact, body); });
     add_contact_force(contact, nodes, before, dt), lap(Phase::contact);
+  }
+  for (auto &contact : model.particle_contacts) {
+    for_each_body(model, [&](const auto &body) { release_removed(contact, body); });
+    add_contact_force(contact, nodes, before), lap(Phase::contact);
   }
   for (const auto &tie : model.ties) hand_over_forces(tie, nodes);
   for (const auto &part : model.rigid_parts) rigidify(part, nodes);

@@ -291,18 +291,17 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   });
 }
 
-/// True if the lists may miss a neighbour: some two particles may have moved by more than the skin relative to each
-/// other. No two displacements differ by more than the diagonal of the box around all of them, images included.
+/// How far two particles may have moved relative to each other since they stood at `before`, m, or more: no two
+/// displacements differ by more than the diagonal of the box around all of them, images included. NaN if one is.
 template <class T>
-bool are_stale(const Neighbours<T> &n, std::span<const Vec3<T>> positions, SymmetryPlanes planes, T support) {
-  if (n.built_at.size() != positions.size()) return true;
+T largest_relative_move(std::span<const Vec3<T>> before, std::span<const Vec3<T>> positions, SymmetryPlanes planes) {
   struct Box {
     Vec3<T> low, high;
   };
   const Box box = ordered_fold(
       static_cast<Index>(positions.size()), Box{Vec3<T>::Constant(T(1e30)), Vec3<T>::Constant(T(-1e30))},
       [&](Index i) {
-        const Vec3<T> u = positions[i] - n.built_at[i];
+        const Vec3<T> u = positions[i] - before[i];
         return Box{u, u};
       },
       [](const Box &a, const Box &b) {
@@ -317,7 +316,15 @@ bool are_stale(const Neighbours<T> &n, std::span<const Vec3<T>> positions, Symme
   Vec3<T> extent = box.high - box.low;
   if (planes.x) extent[0] = std::max(extent[0], T(2) * std::max(box.high[0], -box.low[0]));
   if (planes.y) extent[1] = std::max(extent[1], T(2) * std::max(box.high[1], -box.low[1]));
-  const T relative = extent.norm();
+  return extent.norm();
+}
+
+/// True if the lists may miss a neighbour: some two particles may have moved by more than the skin relative to each
+/// other.
+template <class T>
+bool are_stale(const Neighbours<T> &n, std::span<const Vec3<T>> positions, SymmetryPlanes planes, T support) {
+  if (n.built_at.size() != positions.size()) return true;
+  const T relative = largest_relative_move(std::span<const Vec3<T>>(n.built_at), positions, planes);
   return std::isfinite(relative) && relative > n.reach - support;
 }
 
