@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # beyond.sh [folder]: the shots behind docs/beyond.md, --method stabilised: the 12 mm plate that its parameters were
-# chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on. Shots
-# that the folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
+# chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
+# --method adaptive (PART=adaptive: these alone). Shots that the folder holds already are not run again; READ_ONLY=1 runs
+# none. Prints tables in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/beyond}
@@ -22,7 +23,53 @@ one() { # name text [option]...
     "$(number "$1" energy_error %.3f 100) | $(number "$1" cpu_s %.0f) |"
 }
 
+adaptive() { # name text [option]...
+  shoot "adaptive_$1" --method adaptive "${@:3}"
+  [ -e "$folder/adaptive_$1/summary.json" ] || return 0
+  echo "| $2 | $(number "adaptive_$1" initial_velocity_mps %.1f) | $(number "adaptive_$1" test_residual_velocity_mps %.1f) |" \
+    "$(number "adaptive_$1" residual_velocity_mps %.1f) | $(number "adaptive_$1" plug_mass_g %.1f) |" \
+    "$(number "adaptive_$1" failed_hexes %d), $(number "adaptive_$1" distorted_hexes %d) |" \
+    "$(number "adaptive_$1" dishing_mm %.2f) | $(number "adaptive_$1" hourglass_fraction %.2f 100) |" \
+    "$(number "adaptive_$1" energy_error %.4f 100) | $(number "adaptive_$1" largest_intrusion_mm %.3f) |" \
+    "$(number "adaptive_$1" cpu_s %.0f) |"
+}
+
+adaptive_tables() {
+  local head='| case | initial, m/s | test, m/s | computed, m/s | plug, g | hexes failed, distorted | dishing, mm | hourglass,'
+  head+=' % of energy | energy error, % | intrusion, mm | processor, s |'
+  echo 'Hexes that turn into particles, the plate that ℓ was chosen on, 12 mm, hexes of 0.6 mm:'
+  echo
+  echo "$head"
+  echo '|---|---|---|---|---|---|---|---|---|---|---|'
+  local v
+  for v in 181.5 200.4 244.2 303.5 399.6; do adaptive "12mm_$v" '12 mm' --velocity-mps "$v"; done
+  echo
+  echo 'Other plates and noses:'
+  echo
+  echo "$head"
+  echo '|---|---|---|---|---|---|---|---|---|---|---|'
+  for v in 150 160; do adaptive "6mm_$v" '6 mm' --thickness-mm 6 --velocity-mps "$v"; done
+  adaptive 20mm_310 '20 mm' --thickness-mm 20 --velocity-mps 310
+  adaptive conical_12mm_317.9 '12 mm, conical' --nose conical --velocity-mps 317.9
+  echo
+  echo 'Size of the hexes:'
+  echo
+  echo "$head"
+  echo '|---|---|---|---|---|---|---|---|---|---|---|'
+  local size
+  for size in 1.2 0.8 0.6; do
+    local name=_${size}mm
+    [ "$size" = 0.6 ] && name=
+    adaptive "12mm_244.2$name" "12 mm, hexes of $size mm" --velocity-mps 244.2 --spacing-mm "$size"
+    adaptive "6mm_160$name" "6 mm, hexes of $size mm" --thickness-mm 6 --velocity-mps 160 --spacing-mm "$size"
+  done
+}
+
 made_by beyond.sh
+if [ "${PART:-}" = adaptive ]; then
+  adaptive_tables
+  exit
+fi
 echo 'The plate that the parameters were chosen on, 12 mm, particles 0.6 mm apart:'
 echo
 head_of_table
@@ -63,3 +110,5 @@ both 'control_0.6' 'stiffness of bonds 0.6' --control-stiffness 0.6
 both 'cubic' 'cubic lattice' --lattice cubic
 both 'rigid' 'rigid projectile' --projectile rigid
 both 'removal' 'failed particles removed' --failure removal
+echo
+adaptive_tables

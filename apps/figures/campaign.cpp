@@ -43,7 +43,7 @@ std::vector<input::Flag> flags(const Campaign &campaign) {
   using input::Flag;
   return {{"figure", "one of " + figures_of(campaign)},
           {"quick", "", Flag::none},
-          {"method", "sfm or stabilised"},
+          {"method", "sfm, stabilised or adaptive"},
           {"model", "mjc, jc or both"},
           {"spacing_mm", "a number between " + text_of(spacing_limits)},
           {"jobs", "a whole number from 1"},
@@ -63,7 +63,8 @@ std::string help(const Campaign &campaign) {
          "was.\n\n" +
          item("figure N", "this one alone, of " + figures_of(campaign)) +
          item("quick", "coarse: particles 1.5 mm apart, in vtk_out/figures_quick") +
-         item("method sfm|stabilised", "of perforate; adds its curves to the plots, with mjc only [sfm: the paper's]") +
+         item("method sfm|stabilised|adaptive",
+              "of perforate; adds its curves to the plots, with mjc only [sfm: the paper's]") +
          item("model mjc|jc|both", "flow stress; pictures have mjc only [both]") +
          item("spacing_mm NUMBER",
               "particle distance, " + text_of(spacing_limits, " to ") + " [0.6, as in the paper]") +
@@ -99,7 +100,7 @@ void apply(Options &o, const Campaign &campaign, const Given &given) {
   if (given.key == "method") {
     o.method = given.value;
     if (std::find(methods.begin(), methods.end(), o.method) == methods.end())
-      refuse(given, "must be one of sfm, stabilised");
+      refuse(given, "must be one of sfm, stabilised, adaptive");
   }
   if (given.key == "model") {
     o.model = given.value;

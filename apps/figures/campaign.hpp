@@ -54,7 +54,7 @@ struct ListedShot {
 };
 
 /// The methods of perforate that the figures know, the paper's first.
-inline constexpr std::array<const char *, 2> methods{"sfm", "stabilised"};
+inline constexpr std::array<const char *, 3> methods{"sfm", "stabilised", "adaptive"};
 
 /// The shots of figure_shots.csv that the options choose, in the order of the file, the modified law first; a shot that
 /// several figures need stands there once for each. Throws SetupError.

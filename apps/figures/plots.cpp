@@ -37,7 +37,9 @@ struct Look {
 };
 Look look_of(const std::string &method, const std::string &model) {
   const std::string law = model == "mjc" ? "MJC" : "JC", way = method == "sfm" ? "" : ", " + method;
-  const std::string colour = method == "sfm" ? (model == "mjc" ? "#c0392b" : "#2471a3") : "#1e8449";
+  const std::string colour = method == "sfm"        ? (model == "mjc" ? "#c0392b" : "#2471a3")
+                             : method == "adaptive" ? "#7d3c98"
+                                                    : "#1e8449";
   const int symbol = model == "mjc" ? 6 : 8;
   return {"ogive, " + law + way, "with linespoints linecolor rgb '" + colour +
                                      "' linewidth 1.5 pointsize 0.9 pointtype " + std::to_string(symbol)};

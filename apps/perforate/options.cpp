@@ -131,6 +131,13 @@ void check(const Options &o, const Origins &origins) {
     refuse_value("damage_softening", o.damage_softening, "needs --damage jc or --damage cockcroft_latham");
   if (o.damage == DamageLaw::none && o.damage_length_mm > 0)
     refuse_value("damage_length_mm", o.damage_length_mm, "needs --damage jc or --damage cockcroft_latham");
+  if (o.method == Method::adaptive && o.damage != DamageLaw::none && o.failure != FailureEffect::no_tension)
+    refuse(origin_of(origins, "failure"), choice_name(o.failure),
+           "must be no_tension with --method adaptive: so do the particles that hexes turn into");
+  if (o.method == Method::adaptive && o.control_stiffness > 0)
+    refuse_value("control_stiffness", o.control_stiffness, "must be 0 with --method adaptive: hexes have no bonds");
+  if (o.method == Method::adaptive && o.layers_mm.size() > 1)
+    refuse_value("layers_mm", static_cast<double>(o.layers_mm.size()), "must be one plate with --method adaptive");
   const double thinnest =
       o.layers_mm.empty() ? o.thickness_mm : *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
   if (o.spacing_mm > thinnest / 2)
@@ -196,7 +203,7 @@ double default_softening(Method method) { return method == Method::sfm ? 0 : ogi
 double default_control_stiffness(Method method) { return ogive::options_of<double>(method).sph.control.stiffness; }
 
 double default_damage_length_mm(Method method) {
-  return method == Method::sfm ? 0 : std::round(ogive::length_of_damage * 1e6) / 1e3;
+  return method == Method::sfm ? 0 : std::round(ogive::length_of_damage(method) * 1e6) / 1e3;
 }
 
 FailureEffect default_failure(DamageLaw damage) {

@@ -85,7 +85,8 @@ constexpr auto choices(PressureLaw) {
 }
 
 constexpr auto choices(Method) {
-  return std::to_array<Choice<Method>>({{Method::sfm, "sfm"}, {Method::stabilised, "stabilised"}});
+  return std::to_array<Choice<Method>>(
+      {{Method::sfm, "sfm"}, {Method::stabilised, "stabilised"}, {Method::adaptive, "adaptive"}});
 }
 constexpr auto choices(DamageLaw) {
   return std::to_array<Choice<DamageLaw>>(
@@ -128,11 +129,11 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{plate, "model", "flow stress, modified or classical Johnson-Cook; FILE.toml says its own", "paper"}, o.model);
   f(Entry{plate, "method",
           "how the plate holds together: particles as in the paper, which come apart by themselves; or stabilised by "
-          "bonds, with damage",
+          "bonds, with damage; or hexes that turn into particles where damage has used them up",
           "paper"},
     o.method);
   f(Entry{plate, "damage", "how damage grows, by D1 to D5 or by critical_work_MPa of the material",
-          "none, jc with --method stabilised: paper, ours"},
+          "none, jc with the methods beyond the paper: paper, ours"},
     o.damage);
   f(Entry{plate, "failure", "what comes of damage 1, neither shear nor tension or no force at all",
           "none without --damage, else no_tension: ours"},
@@ -140,14 +141,14 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{plate,
           "damage_softening",
           "part of the flow stress that damage 1 takes away",
-          "0, 0.3 with --method stabilised: Boervik et al. 2001",
+          "0, 0.3 with the methods beyond the paper: Boervik et al. 2001",
           {0, 1, ""}},
     o.damage_softening);
   f(Entry{plate,
           "damage_length_mm",
           "particle distance for which the constants of damage hold; failure strains grow with finer ones; 0: hold for "
           "any",
-          "0, 0.56 with --method stabilised: ours",
+          "0, 0.56 with --method stabilised, 0.6 with --method adaptive: ours",
           {0, 100, "mm"}},
     o.damage_length_mm);
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);
@@ -208,11 +209,16 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
     o.friction);
 
   const char *const numerics = "Discretisation";
-  f(Entry{numerics, "spacing_mm", "particle distance, at most half the thickness", "paper", {0.05, 5, "mm"}},
+  f(Entry{numerics,
+          "spacing_mm",
+          "particle distance, with --method adaptive size of the hexes, at most half the thickness",
+          "paper",
+          {0.05, 5, "mm"}},
     o.spacing_mm);
   f(Entry{numerics,
           "sph_radius_mm",
-          "radius of the particles' disc, from 10 mm + 2 spacings to less than the clamp radius",
+          "radius of the particles' disc, or of the hexes that can turn into particles, from 10 mm + 2 spacings to "
+          "less than the clamp radius",
           "paper",
           {10.1, 2000, "mm"}},
     o.sph_radius_mm);

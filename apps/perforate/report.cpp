@@ -117,8 +117,10 @@ void announce(const Options &o, const Shot &shot) {
   if (o.quiet) return;
   const Sizes &s = shot.sizes;
   std::printf("%s\n", case_title(o, shot).c_str());
-  std::printf("  particle distance   %.4f mm (%g asked for), %ld particles, %ld hexes\n", s.spacing_mm, o.spacing_mm,
-              s.particles, s.hexes);
+  const bool adaptive = o.method == Method::adaptive;
+  std::printf("  %s   %.4f mm (%g asked for), %ld %s, %ld hexes\n",
+              adaptive ? "height of a hex  " : "particle distance", s.spacing_mm, o.spacing_mm, s.particles,
+              adaptive ? "can turn into particles" : "particles", s.hexes);
   std::printf("  projectile          %.2f g%s", s.projectile_mass_g, is_of_the_tests(o) ? " (197 g in the tests)" : "");
   if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
   std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
@@ -165,6 +167,11 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
   j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
   j["failed_particles"] = s.fragments.failed;
+  if (o.method == Method::adaptive) {
+    j["failed_hexes"] = s.failed_hexes;
+    j["distorted_hexes"] = s.distorted_hexes;
+    j["buried_particles"] = s.buried_particles;
+  }
   j["projectile_mass_g"] = s.sizes.projectile_mass_g;
   j["added_mass_g"] = s.sizes.added_mass_g;
   j["largest_intrusion_mm"] = s.intrusion_mm;
@@ -248,8 +255,10 @@ void print_table(const Options &o, const Shot &s, const std::optional<experiment
                 s.layers[k].fragments.plug_mass * 1e3, s.layers[k].fragments.plug_velocity, o.layers_mm[k],
                 s.layers[k].material.c_str());
   if (o.damage != DamageLaw::none)
-    std::printf("  %-22s %.2f g, %ld of the particles computed\n", "failed", s.fragments.failed_mass * 1e3,
-                static_cast<long>(s.fragments.failed));
+    std::printf("  %-22s %.2f g, %ld of the %s computed\n", "failed", s.fragments.failed_mass * 1e3,
+                static_cast<long>(s.fragments.failed), o.method == Method::adaptive ? "hexes" : "particles");
+  if (s.distorted_hexes > 0)
+    std::printf("  %-22s %ld of them before they failed\n", "too distorted", s.distorted_hexes);
   std::printf("  %-22s %.4f %%\n", "largest energy error", s.energy_error * 100);
   std::printf("  %-22s %.1e\n", "momentum error", s.momentum_error);
   std::printf("  %-22s %.3f mm\n", "deepest intrusion", s.intrusion_mm);

@@ -60,9 +60,9 @@ void take_look(const M &now, const ogive::Energy<double> &e, const ogive::Projec
   if (!(error <= shot.energy_error)) shot.energy_error = error;
   shot.momentum_error =
       std::max(shot.momentum_error, std::abs(momentum - course.first_momentum - impulse) / course.first_momentum);
-  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,
-                    e.elastic,      e.plastic,       e.hourglass,       e.viscous,         e.contact,
-                    e.friction,     e.external,      total(e),          momentum,          impulse};
+  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,  e.elastic,
+                    e.plastic,      e.hourglass,     e.viscous,         e.contact,         e.friction, e.external,
+                    total(e),       momentum,        impulse,           e.conversion};
   ogive::add_row(files.history, row);
   course.history.insert(course.history.end(), row.begin(), row.end());
 }
@@ -154,6 +154,11 @@ Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, L
   shot.steps = model.steps;
   shot.simulated_us = model.time * 1e6;
   shot.fragments = ogive::find_fragments(model);
+  for (const auto &conversion : model.conversions) {
+    shot.failed_hexes += static_cast<long>(conversion.failed);
+    shot.distorted_hexes += static_cast<long>(conversion.distorted);
+    shot.buried_particles += ogive::count_buried(model.contacts[conversion.surface]);
+  }
   for (std::size_t k = 0; k < plates.size(); ++k)
     shot.layers.push_back({plates[k].name, ogive::find_fragments_of(model, k),
                            ogive::plate_shape(model, undeformed[k], shape.diameter / 2, ogive::layers_of(c)[k], k)});

@@ -43,6 +43,9 @@ struct Shot {
   int interrupted_by = 0;             ///< signal; 0: the run came to its end
   ogive::Fragments<double> fragments; ///< of all plates
   std::vector<LayerResult> layers;    ///< one for each plate
+  long failed_hexes = 0;              ///< of the computed part, turned into particles
+  long distorted_hexes = 0;           ///< likewise, before they failed
+  long buried_particles = 0;          ///< of the computed part, that overlap hexes at the end
   double intrusion_mm = 0;            ///< deepest over the frames: particle behind the projectile's surface
   double hourglass_fraction = 0;      ///< of the initial energy, at the end
   double energy_error = 0;            ///< largest over the run, of the initial energy

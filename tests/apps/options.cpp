@@ -79,7 +79,7 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--damage", "yes"}, "--damage = yes: must be one of none, jc, cockcroft_latham"},
       {{"--damage", "jc", "--failure", "crack"}, "--failure = crack: must be one of none, no_tension, removal"},
       {{"--failure", "removal"}, "--failure = removal: needs --damage jc or --damage cockcroft_latham"},
-      {{"--method", "fem"}, "--method = fem: must be one of sfm, stabilised"},
+      {{"--method", "fem"}, "--method = fem: must be one of sfm, stabilised, adaptive"},
       {{"--damage-softening", "0.3"}, "--damage-softening = 0.3: needs --damage jc or --damage cockcroft_latham"},
       {{"--method", "stabilised", "--damage", "none", "--damage-softening", "0.3"},
        "--damage-softening = 0.3: needs --damage jc or --damage cockcroft_latham"},

@@ -21,22 +21,24 @@ Result shot_at_an_angle(Extent extent) {
   auto model = sim_test::small_shot(c);
   Result r;
   double first = 0;
-  const RunResult end = run(model, RunOptions<double>{.end_time = 20e-6}, [&](const auto &now, const Energy<double> &e) {
-    if (first == 0) first = total(e);
-    r.energy_error = std::max(r.energy_error, std::abs(total(e) / first - 1));
-    r.velocity = mean_velocity(now.nodes, projectile(now).nodes);
-    return true;
-  });
+  const RunResult end =
+      run(model, RunOptions<double>{.end_time = 20e-6}, [&](const auto &now, const Energy<double> &e) {
+        if (first == 0) first = total(e);
+        r.energy_error = std::max(r.energy_error, std::abs(total(e) / first - 1));
+        r.velocity = mean_velocity(now.nodes, projectile(now).nodes);
+        return true;
+      });
   REQUIRE_FALSE(end.fault);
   return r;
 }
 
 } // namespace
 
-TEST_CASE("an oblique shot slows down along its line, turns away from the plate and keeps its energy", "[perforation]") {
+TEST_CASE("an oblique shot slows down along its line, turns away from the plate and keeps its energy",
+          "[perforation]") {
   const Result half = shot_at_an_angle(Extent::half), full = shot_at_an_angle(Extent::full);
-  // Only the last bits differ at first; where a particle lies over the edge of two facets they decide, and on this coarse
-  // plate one particle's contact is felt. 1 m/s is 2 % of what the projectile has lost.
+  // Only the last bits differ at first; where a particle lies over the edge of two facets they decide, and on this
+  // coarse plate one particle's contact is felt. 1 m/s is 2 % of what the projectile has lost.
   CHECK((half.velocity - full.velocity).norm() < 1);
   CHECK(std::abs(full.velocity[1]) < 0.05);
   const Vec3<double> flight(0.5, 0, -std::sqrt(0.75));

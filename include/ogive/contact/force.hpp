@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ogive {
 
@@ -20,14 +21,24 @@ template <class T> struct Touch {
   Reflection reflection{};             ///< in which the slave sees the facet
 };
 
-/// Closest point of the candidate facets to slave `a` of the active list. At an edge or corner the direction is that
-/// from the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
-template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
-  const Index slave = contact.active[a];
-  const Vec3<T> p = on_model_side(contact, nodes, slave);
-  const T offset = contact.offset[slave];
-  T limit = offset + contact.search_margin;
+/// The facet nearest to a slave, and its point there.
+template <class T> struct NearestFacet {
+  Index facet = -1;                  ///< -1: none is near
+  FacetPoint<T> point{};             ///< closest to the slave
+  Vec3<T> outward = Vec3<T>::Zero(); ///< side of the surface there: its normal, or the sum of those that meet there
+
+  /// True if `p` (m) lies outside.
+  bool is_outside(const Vec3<T> &p) const { return outward.dot(p - point.position) >= T(0); }
+  /// Distance of `p` (m) from the surface, m; negative inside.
+  T gap(const Vec3<T> &p) const { return (is_outside(p) ? T(1) : T(-1)) * std::sqrt(point.distance_squared); }
+};
+
+/// Closest point of the candidate facets to `p` (m), where slave `a` of the active list is, if nearer than `limit` (m).
+template <class T>
+NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p,
+                             T limit) {
   FacetPoint<T> best;
+  Vec3<T> outward = Vec3<T>::Zero();
   T best_alignment{};
   Index facet = -1;
   for (Index k = contact.candidate_begin[a]; k < contact.candidate_begin[a + 1]; ++k) {
@@ -38,18 +49,38 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
     const FacetPoint<T> point = closest_on_facet(p, corner);
     const T alignment = std::abs(point.normal.dot(p - point.position));
     const T tie = T(1e-6) * (best.distance_squared + point.distance_squared);
-    if (facet < 0 || point.distance_squared < best.distance_squared - tie ||
-        (point.distance_squared <= best.distance_squared + tie && alignment > best_alignment)) {
+    const bool nearer = facet < 0 || point.distance_squared < best.distance_squared - tie;
+    const bool as_near = !nearer && point.distance_squared <= best.distance_squared + tie;
+    const bool at_same = as_near && (point.position - best.position).norm() < T(1e-6) * contact.facet_radius[f];
+    const bool better = nearer || (as_near && alignment > best_alignment);
+    if (at_same)
+      outward += point.normal;
+    else if (better)
+      outward = point.normal;
+    if (better) {
       best = point;
       best_alignment = alignment;
       facet = f;
       limit = std::min(limit, std::sqrt(point.distance_squared) * T(1.001));
     }
   }
+  // Where hexes have gone, edges and corners may be of any kind, and the normal of one facet does not tell the side.
+  return {facet, best, contact.follows ? outward : best.normal};
+}
+
+/// How a slave touches the surface. At an edge or corner the direction is that from the surface to the slave, so that
+/// it turns smoothly around the edge; in a mirror plane it stays in the plane.
+template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
+  const Index slave = contact.active[a];
+  const Vec3<T> p = on_model_side(contact, nodes, slave);
+  const T offset = contact.present_offset.empty() ? contact.offset[slave] : contact.present_offset[slave];
+  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[slave] + contact.search_margin);
+  const Index facet = nearest.facet;
+  const FacetPoint<T> &best = nearest.point;
   if (facet < 0) return {};
   const Vec3<T> gap = p - best.position;
   const T distance = std::sqrt(best.distance_squared);
-  const bool outside = best.normal.dot(gap) >= T(0);
+  const bool outside = nearest.is_outside(p);
   const T depth = outside ? offset - distance : offset + distance;
   if (depth <= T(0)) return {};
   if (!outside && distance > contact.search_margin) return {.lost = true};
@@ -95,6 +126,18 @@ template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, cons
   return std::min(contact.slave_mass[s], facet_mass);
 }
 
+/// Lets the offset of slave `a` of the active list grow towards its own, no faster than the slave leaves the surface:
+/// one that began inside the surface is not thrown out.
+template <class T> void grow_offset(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
+  const Index slave = contact.active[a];
+  T &present = contact.present_offset[slave];
+  const T full = contact.offset[slave];
+  if (present >= full) return;
+  const Vec3<T> p = on_model_side(contact, nodes, slave);
+  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, full + contact.search_margin);
+  present = std::max(present, nearest.facet < 0 ? full : std::min(full, nearest.gap(p)));
+}
+
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come
 /// is `next`) to the ledger (trapezoidal rule between the forces before and now).
 template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt, T next) {
@@ -113,8 +156,12 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     const Index s = contact.active[a], node = contact.slaves[s];
     const ContactForce<T> before = contact.forces[s];
     ContactForce<T> now;
+    if (!contact.present_offset.empty()) grow_offset(contact, nodes, a);
     if (const Touch<T> touch = find_touch(contact, nodes, a); touch.lost) {
-      now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
+      if (contact.options.may_bury)
+        contact.present_offset[s] = std::numeric_limits<T>::lowest();
+      else
+        now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
     } else if (touch.facet >= 0) {
       const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
       now =

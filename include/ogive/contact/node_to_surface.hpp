@@ -18,6 +18,7 @@ template <class T> struct ContactOptions {
   T stiffness = T(0.1);       ///< penalty stiffness over m/dt^2
   T sticking = T(0.3);        ///< largest friction force over m |v_t|/dt
   bool rigid_masters = false; ///< the masses of the facets' nodes do not limit the stiffness
+  bool may_bury = false;      ///< a slave deep behind the surface is no fault: it overlaps, as if it had begun there
 };
 
 /// What acts on one slave node.
@@ -39,6 +40,8 @@ template <class T> struct NodeToSurface {
   std::vector<Index> slaves;                 ///< node numbers
   std::vector<T> offset;                     ///< m, one for each slave
   std::vector<T> slave_mass;                 ///< kg; 0: let go
+  bool follows = false;                      ///< masses of slaves, and maybe facets, change: see follow.hpp
+  std::vector<T> present_offset;             ///< m, of slaves that began nearer than `offset`; empty: that of all
   std::vector<Facet> facets;                 ///< masters, outward
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
   T reference_time_step{};                   ///< s, of the stiffness; 0: that of the first step
@@ -55,6 +58,21 @@ template <class T> struct NodeToSurface {
   std::vector<Vec3<T>> facet_middle;  ///< m, of this step
   std::vector<T> facet_radius;        ///< m, around the middle, of this step
 };
+
+/// Gives the contact these master facets, with the masses that their nodes have now.
+template <class T> void set_facets(NodeToSurface<T> &c, const Nodes<T> &nodes, std::vector<Facet> facets) {
+  c.facets = std::move(facets);
+  c.facet_middle.resize(c.facets.size());
+  c.facet_radius.resize(c.facets.size());
+  c.master_mass.clear();
+  if (c.options.rigid_masters) return;
+  for (const Facet &f : c.facets) {
+    auto &mass = c.master_mass.emplace_back();
+    for (int k = 0; k < 4; ++k)
+      mass[k] = nodes.mass[f.nodes[k]] * T(nodes.held[f.nodes[k]] & held_x && c.symmetry.x ? 2 : 1) *
+                T(nodes.held[f.nodes[k]] & held_y && c.symmetry.y ? 2 : 1);
+  }
+}
 
 /// Makes a contact of `slaves` (with an offset each, m) against `facets`. Throws SetupError for a slave without mass
 /// (make contacts before ties), for a negative friction, and if a slave is a node of a facet.
@@ -88,21 +106,12 @@ NodeToSurface<T> make_contact(const Nodes<T> &nodes, std::vector<Index> slaves, 
     require(!is_master[s], c.name + " slave node", s, "must not belong to a facet");
     c.slave_mass.push_back(nodes.mass[s]);
   }
-  if (!options.rigid_masters)
-    for (const Facet &f : facets) {
-      auto &mass = c.master_mass.emplace_back();
-      for (int k = 0; k < 4; ++k)
-        mass[k] = nodes.mass[f.nodes[k]] * T(nodes.held[f.nodes[k]] & held_x && symmetry.x ? 2 : 1) *
-                  T(nodes.held[f.nodes[k]] & held_y && symmetry.y ? 2 : 1);
-    }
   c.forces.resize(slaves.size());
   c.normal_energy.assign(slaves.size(), T(0));
   c.friction_energy.assign(slaves.size(), T(0));
   c.slaves = std::move(slaves);
   c.offset = std::move(offset);
-  c.facets = std::move(facets);
-  c.facet_middle.resize(c.facets.size());
-  c.facet_radius.resize(c.facets.size());
+  set_facets(c, nodes, std::move(facets));
   return c;
 }
 

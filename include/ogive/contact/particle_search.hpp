@@ -21,7 +21,8 @@ template <class T> std::span<const Vec3<T>> positions_of(const ParticleContact<T
 template <class T> bool is_search_due(const ParticleContact<T> &contact, const Nodes<T> &nodes) {
   const auto positions = positions_of(contact, nodes);
   if (contact.searched_at.size() != positions.size()) return true;
-  const T relative = largest_relative_move(std::span<const Vec3<T>>(contact.searched_at), positions, contact.symmetry);
+  const auto move = [&](Index i) { return Vec3<T>(positions[i] - contact.searched_at[i]); };
+  const T relative = largest_relative_move<T>(contact.nodes.size(), move, contact.symmetry);
   return std::isfinite(relative) && relative > contact.search_margin;
 }
 

@@ -80,11 +80,13 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
   }
   std::vector<Index> near;
   std::vector<Vec3<T>> near_position;
-  for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s)
+  for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
+    if (contact.follows && contact.slave_mass[s] == T(0)) continue;
     if (const Vec3<T> p = on_model_side(contact, nodes, s); is_inside(surface, p)) {
       near.push_back(s);
       near_position.push_back(p);
     }
+  }
   if (!near.empty()) {
     const CellGrid<T> grid = sort_into_cells(near_position, reach);
     struct Pair {

@@ -30,6 +30,7 @@ struct SelectiveReduced {
 /// Numerical resistance of hexes.
 template <class T> struct HexOptions {
   T hourglass_stiffness = T(0.1);      ///< fraction of the element's own stiffness, see hourglass.hpp
+  T hourglass_while_flowing = T(1);    ///< factor of the stiffness while the hex flows
   T hourglass_viscosity = T(0);        ///< fraction of the element's acoustic impedance
   T linear_bulk_viscosity = T(0.06);   ///< in compression only
   T quadratic_bulk_viscosity = T(1.5); ///< in compression only
@@ -122,6 +123,7 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
     require(value >= T(0) && std::isfinite(value), name + " " + thing, value, "must not be negative");
   };
   not_negative(options.hourglass_stiffness, "hourglass stiffness");
+  not_negative(options.hourglass_while_flowing, "hourglass stiffness while flowing");
   not_negative(options.hourglass_viscosity, "hourglass viscosity");
   not_negative(options.linear_bulk_viscosity, "linear bulk viscosity");
   not_negative(options.quadratic_bulk_viscosity, "quadratic bulk viscosity");

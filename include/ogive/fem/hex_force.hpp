@@ -126,7 +126,12 @@ HourglassModes<Pack<T>> update_hourglass(HexBody<T, Law, OnePoint> &body, Index 
   const T modulus = p_wave_modulus(body.metal.elasticity);
   const Mat3<P> R = spin_rotation<P>(midstep_gradient<P>(L, P(dt)), P(dt));
   const Forces turned = R * hourglass_forces_of(body, pack);
-  Forces force = turned + P(dt) * hourglass_force_rate<P>(mean, options.hourglass_stiffness * modulus, rate);
+  P step(dt);
+  if (options.hourglass_while_flowing != T(1))
+    step *= pack_of<T>([&](Index l) {
+      return body.points.plastic_strain_rate[hex_in(body, pack, l)] > T(0) ? options.hourglass_while_flowing : T(1);
+    });
+  Forces force = turned + step * hourglass_force_rate<P>(mean, options.hourglass_stiffness * modulus, rate);
   if (body.metal.damage.effect != FailureEffect::none)
     for (int k = 0; k < 12; ++k)
       force.data()[k] =

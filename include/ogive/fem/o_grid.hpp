@@ -21,10 +21,10 @@ struct OGridCounts {
 };
 
 /// Builds the O-grid. `core_at(i, j, k)` and `surface_at(i, j, k)` give the position (m) of a core node and, for a node
-/// on the core's side or front, of its image on the body's surface; i, j = 0 to core, k = 0 (front) to along. Shell
-/// nodes lie evenly spaced between the two.
-template <class T, class CoreAt, class SurfaceAt>
-HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at) {
+/// on the core's side or front, of its image on the body's surface; i, j = 0 to core, k = 0 (front) to along.
+/// `shell_at(inner, outer, l)` gives the l-th shell node between the two, l = 1 to shell.
+template <class T, class CoreAt, class SurfaceAt, class ShellAt>
+HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at, ShellAt &&shell_at) {
   HexMesh<T> mesh;
   const Index row = n.core + 1;
   const auto core_node = [&](Index i, Index j, Index k) { return (k * row + j) * row + i; };
@@ -38,7 +38,7 @@ HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at
         if (i < n.core && j < n.core && !(n.covers_front && k == 0)) continue;
         first_shell_node[core_node(i, j, k)] = static_cast<Index>(mesh.positions.size());
         const Vec3<T> inner = mesh.positions[core_node(i, j, k)], outer = surface_at(i, j, k);
-        for (Index l = 1; l <= n.shell; ++l) mesh.positions.push_back(inner + T(l) / T(n.shell) * (outer - inner));
+        for (Index l = 1; l <= n.shell; ++l) mesh.positions.push_back(shell_at(inner, outer, l));
       }
   const auto node = [&](Index i, Index j, Index k, Index l) {
     return l == 0 ? core_node(i, j, k) : first_shell_node[core_node(i, j, k)] + l - 1;
@@ -79,6 +79,14 @@ HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at
       }
   }
   return mesh;
+}
+
+/// The same with the shell nodes evenly spaced.
+template <class T, class CoreAt, class SurfaceAt>
+HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at) {
+  return o_grid<T>(n, core_at, surface_at, [&](const Vec3<T> &inner, const Vec3<T> &outer, Index l) -> Vec3<T> {
+    return inner + T(l) / T(n.shell) * (outer - inner);
+  });
 }
 
 } // namespace ogive

@@ -7,21 +7,27 @@ namespace ogive {
 
 /// How the plate's particles hold together.
 enum class Method {
-  sfm,       ///< as in the paper: by SPH alone; particles come apart by themselves
-  stabilised ///< zero-energy modes are resisted by bonds (sph/control.hpp); what tears is up to damage
+  sfm,        ///< as in the paper: by SPH alone; particles come apart by themselves
+  stabilised, ///< zero-energy modes are resisted by bonds (sph/control.hpp); what tears is up to damage
+  adaptive    ///< by hexes, which turn into particles where damage has used up the metal (sim/convert.hpp)
 };
 
 /// Dc of the methods in which damage counts (Boervik et al. 2001, for Weldox 460 E; taken for all metals).
 inline constexpr double softening_of_damage = 0.3;
 
 /// Particle distance for which the constants of damage hold in the methods in which it counts, m: set on shots at
-/// Weldox 460 E, above all the plate of 12 mm, see docs/beyond.md.
-inline constexpr double length_of_damage = 0.56e-3;
+/// Weldox 460 E, above all the plate of 12 mm, see docs/beyond.md. A band of hexes is narrower than one of particles.
+constexpr double length_of_damage(Method method) { return method == Method::adaptive ? 0.6e-3 : 0.56e-3; }
 
 /// The numerical choices of a method, the same for all cases.
 template <class T> PerforationOptions<T> options_of(Method method) {
   PerforationOptions<T> options;
   if (method == Method::stabilised) options.sph.control.stiffness = T(0.3);
+  if (method == Method::adaptive) {
+    options.plate = PlateKind::hexes;
+    options.plate_hex.hourglass_stiffness = T(0.02);
+    options.plate_hex.hourglass_while_flowing = T(0.1);
+  }
   return options;
 }
 

@@ -7,6 +7,7 @@
 #include "ogive/fem/hex_body.hpp"
 #include "ogive/fem/plate_rim.hpp"
 #include "ogive/perforation/case.hpp"
+#include "ogive/perforation/numerics.hpp"
 #include "ogive/sph/layout.hpp"
 
 #include <algorithm>
@@ -56,6 +57,34 @@ RimFacets facets_of_rim(const HexMesh<T> &rim, const RimShape<T> &shape, Symmetr
   const T tolerance = T(1e-6) * shape.thickness;
   return {shifted(inner_facets(rim, shape), first_node),
           shifted(facets_off_planes(boundary_facets(rim), rim.positions, planes, tolerance), first_node)};
+}
+
+/// All plates of a target.
+template <class Disc, class Rim> struct Plates {
+  std::vector<Disc> discs;       ///< particles of the struck part, or what hexes turn into
+  std::vector<Rim> rims;         ///< hexes around them, or the whole plate
+  std::vector<RimFacets> facets; ///< of the rims; none of a plate of hexes
+};
+
+/// Adds plates with a disc of particles and a rim of hexes each; not tied and not held yet.
+template <class Kernel, class Form, class Rule, class T, class Law>
+Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>>
+add_plates_of_particles(Nodes<T> &nodes, const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &metals,
+                        const PerforationOptions<T> &options) {
+  const std::vector<Layer<T>> layers = layers_of(c);
+  const SymmetryPlanes planes = symmetry_planes(c.extent);
+  Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>> plates;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    plates.discs.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k]), metals[k],
+                                                      body_name("disc", k, layers.size()), planes, options.sph));
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const RimShape<T> shape = rim_shape(c, layers[k], options.rim_size_ratio * plates.discs[k].spacing);
+    HexMesh<T> mesh = rim_mesh(shape, c.extent);
+    plates.facets.push_back(facets_of_rim(mesh, shape, planes, nodes.size()));
+    for (Vec3<T> &p : mesh.positions) p[2] -= layers[k].front;
+    plates.rims.push_back(add_hex_body<Rule>(nodes, mesh, metals[k], body_name("rim", k, layers.size()), options.hex));
+  }
+  return plates;
 }
 
 /// Nodes that a contact takes as slaves.

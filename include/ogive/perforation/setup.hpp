@@ -7,6 +7,8 @@
 #include "ogive/fem/projectile.hpp"
 #include "ogive/material/library.hpp"
 #include "ogive/perforation/case.hpp"
+#include "ogive/perforation/numerics.hpp"
+#include "ogive/perforation/plate_of_hexes.hpp"
 #include "ogive/perforation/plates.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/run.hpp"
@@ -20,17 +22,8 @@
 
 namespace ogive {
 
-/// Numerical choices of a perforation model; the defaults are the same for all cases.
-template <class T> struct PerforationOptions {
-  SphOptions<T> sph{};            ///< of the disc
-  HexOptions<T> hex{};            ///< of rim and projectile
-  T rim_size_ratio = T(2.5);      ///< hex size at the disc's edge over the particle distance
-  T contact_stiffness = T(0.1);   ///< penalty over m/dt^2
-  T contact_courant = T(0.4);     ///< of the time step dt that the contact's stiffness is made for
-  T largest_added_mass = T(0.01); ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
-};
-
-/// The bodies of a perforation model: for each plate a disc of particles and a rim of hexes; the projectile of hexes.
+/// The bodies of a perforation model: for each plate a disc of particles and a rim of hexes; the projectile of hexes. A
+/// plate of hexes is all rim, and particle i of its disc is what hex i turns into.
 template <class T, class Law, class Kernel, class Form, class Rule>
 using PerforationModel = Model<T, std::vector<SphBody<T, Law, Kernel, Form>>, std::vector<HexBody<T, Law, Rule>>,
                                HexBody<T, Bilinear<T>, Rule>>;
@@ -120,41 +113,44 @@ template <class T> void check(const PerforationCase<T> &c) {
           "must be positive");
 }
 
-/// Builds the model of a case with a metal for each plate, from front to rear: each a disc of particles tied to a rim
-/// of hexes that is clamped at its outer radius; and a projectile that touches the first plate and flies towards -z.
-/// Plates touch each other without friction. Throws SetupError for sizes that do not fit together.
+/// Adds the projectile, which touches the first plate and flies at it.
+template <class Rule, class T>
+HexBody<T, Bilinear<T>, Rule> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &c, const HexMesh<T> &mesh,
+                                             const Metal<T, Bilinear<T>> &metal, const HexOptions<T> &options,
+                                             T tolerance) {
+  auto shot = add_hex_body<Rule>(nodes, mesh, metal_of_mass(metal, c), "projectile", options);
+  hold_on_planes(nodes, shot.nodes, symmetry_planes(c.extent), tolerance);
+  set_velocity(nodes, shot.nodes, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
+  return shot;
+}
+
+/// Builds the model of a case with a metal for each plate, from front to rear: each clamped at its outer radius, a disc
+/// of particles tied to a rim of hexes, or of hexes that turn into particles; and a projectile that touches the first
+/// plate and flies towards -z. Plates touch each other without friction. Throws SetupError for sizes that do not fit
+/// together and for several plates of hexes.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
 PerforationModel<T, Law, Kernel, Form, Rule>
-make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &plates,
+make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &metals,
                  const Metal<T, Bilinear<T>> &projectile_metal, PerforationOptions<T> options = {}) {
   check(c);
-  const std::vector<Layer<T>> layers = layers_of(c);
-  require(plates.size() == layers.size(), "number of the plates' metals", plates.size(),
-          "must be " + std::to_string(layers.size()) + ", one for each plate");
+  const bool of_hexes = options.plate == PlateKind::hexes;
+  const std::size_t layers = 1 + c.behind.size();
+  require(metals.size() == layers, "number of the plates' metals", metals.size(),
+          "must be " + std::to_string(layers) + ", one for each plate");
+  require(!of_hexes || layers == 1, "number of plates of hexes", layers, "must be 1");
   const SymmetryPlanes planes = symmetry_planes(c.extent);
   Nodes<T> nodes;
-  std::vector<SphBody<T, Law, Kernel, Form>> particles;
-  for (std::size_t k = 0; k < layers.size(); ++k)
-    particles.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k]), plates[k],
-                                                   body_name("disc", k, layers.size()), planes, options.sph));
+  auto plates = of_hexes ? add_plate_of_hexes<Kernel, Form, Rule>(nodes, c, metals.front(), options)
+                         : add_plates_of_particles<Kernel, Form, Rule>(nodes, c, metals, options);
+  auto &[particles, hexes, facets] = plates;
   const T spacing = particles.front().spacing, tolerance = T(1e-3) * spacing;
-
-  std::vector<HexBody<T, Law, Rule>> rim_hexes;
-  std::vector<RimFacets> rim_facets;
-  for (std::size_t k = 0; k < layers.size(); ++k) {
-    const RimShape<T> shape = rim_shape(c, layers[k], options.rim_size_ratio * particles[k].spacing);
-    HexMesh<T> mesh = rim_mesh(shape, c.extent);
-    rim_facets.push_back(facets_of_rim(mesh, shape, planes, nodes.size()));
-    for (Vec3<T> &p : mesh.positions) p[2] -= layers[k].front;
-    rim_hexes.push_back(add_hex_body<Rule>(nodes, mesh, plates[k], body_name("rim", k, layers.size()), options.hex));
-    hold_on_planes(nodes, rim_hexes[k].nodes, planes, tolerance);
-    clamp_at_radius(nodes, rim_hexes[k].nodes, c.clamp_radius);
+  for (const auto &body : hexes) {
+    hold_on_planes(nodes, body.nodes, planes, tolerance);
+    clamp_at_radius(nodes, body.nodes, c.clamp_radius);
   }
 
   const HexMesh<T> shot_mesh = in_line_of_flight(projectile_mesh(c.projectile, spacing, c.extent), c);
-  auto shot = add_hex_body<Rule>(nodes, shot_mesh, metal_of_mass(projectile_metal, c), "projectile", options.hex);
-  hold_on_planes(nodes, shot.nodes, planes, tolerance);
-  set_velocity(nodes, shot.nodes, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
+  auto shot = add_projectile<Rule>(nodes, c, shot_mesh, projectile_metal, options.hex, tolerance);
   T step_of_particles = std::numeric_limits<T>::max(), step_of_contact = step_of_particles;
   for (const auto &body : particles) {
     step_of_particles = std::min(step_of_particles, stable_time_step(body, nodes));
@@ -166,7 +162,7 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
 
   Slaves<T> slaves;
   for (const auto &body : particles) add_slaves(slaves, body.nodes, T(0.5) * body.spacing);
-  for (const auto &body : rim_hexes) add_slaves(slaves, body.nodes, T(0));
+  for (const auto &body : hexes) add_slaves(slaves, body.nodes, T(0));
   auto contact = make_contact(nodes, std::move(slaves.nodes), std::move(slaves.offset),
                               shifted(contact_facets(shot_mesh, c.extent), shot.nodes.begin), "plate on projectile",
                               ContactOptions<T>{.friction = c.friction,
@@ -176,21 +172,22 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   contact.reference_time_step = step_of_contact;
   std::vector<NodeToSurface<T>> contacts{std::move(contact)};
   std::vector<ParticleContact<T>> particle_contacts;
-  if (layers.size() > 1) {
-    add_rim_contacts(contacts, nodes, particles, rim_hexes, rim_facets, c.sph_radius);
+  if (layers > 1) {
+    add_rim_contacts(contacts, nodes, particles, hexes, facets, c.sph_radius);
     particle_contacts.push_back(make_disc_contact(
         nodes, c, particles, options.contact_stiffness / (options.contact_courant * options.contact_courant)));
   }
   std::vector<Tie<T>> ties;
-  for (std::size_t k = 0; k < layers.size(); ++k)
-    ties.push_back(make_tie(nodes, particles[k].nodes, rim_facets[k].edge, rim_hexes[k].hexes, particles[k].spacing));
+  for (std::size_t k = 0; k < facets.size(); ++k)
+    ties.push_back(make_tie(nodes, particles[k].nodes, facets[k].edge, hexes[k].hexes, particles[k].spacing));
 
   PerforationModel<T, Law, Kernel, Form, Rule> model{
-      std::move(nodes), std::tuple{std::move(particles), std::move(rim_hexes), std::move(shot)}, planes};
+      std::move(nodes), std::tuple{std::move(particles), std::move(hexes), std::move(shot)}, planes};
   model.contacts = std::move(contacts);
   model.particle_contacts = std::move(particle_contacts);
   model.ties = std::move(ties);
   if (c.rigid_projectile) model.rigid_parts.push_back({projectile(model).nodes});
+  if (of_hexes) add_conversion(model, options);
   return model;
 }
 

@@ -28,8 +28,8 @@ template <class M> auto disc_positions(const M &model, std::size_t layer = 0) {
   return std::vector(x.begin() + range.begin, x.begin() + range.end);
 }
 
-/// A plate's shape now, from its particles and their undeformed positions (m), for a projectile of this radius (m)
-/// and a plate that lies where `plate` says.
+/// A plate's shape now, from its particles or hexes and their undeformed positions (m), for a projectile of this radius
+/// (m) and a plate that lies where `plate` says.
 template <class M, class T>
 PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, const Layer<T> &plate,
                           std::size_t layer = 0) {
@@ -44,8 +44,9 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   Mean front, rear, deflection, kept, band, core;
   PlateShape<T> shape;
   for (Index i = 0; i < body.points.size(); ++i) {
-    const Vec3<T> &x0 = undeformed[i], &x = model.nodes.position[body.nodes.begin + i];
-    const T r = std::hypot(x0[0], x0[1]), mass = body.point_mass[i], temperature = body.points.temperature[i];
+    const auto [x, velocity, temperature] = plate_cell(model, i, layer);
+    const Vec3<T> &x0 = undeformed[i];
+    const T r = std::hypot(x0[0], x0[1]), mass = body.point_mass[i];
     const bool in_plug = pieces.of[i] == pieces.plug, hangs = pieces.hangs(i);
     if (in_plug && r < radius / T(2)) {
       if (x0[2] > -plate.front - spacing) front.add(x[2], mass);

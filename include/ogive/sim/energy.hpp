@@ -12,19 +12,21 @@ namespace ogive {
 /// Where the energy of the whole model is, J (symmetric copies included). All but `kinetic` and `elastic` are work done
 /// since the start.
 template <class T> struct Energy {
-  T kinetic{};   ///< of all nodes
-  T elastic{};   ///< stored in the metal
-  T plastic{};   ///< work of the stresses that is not elastic
-  T hourglass{}; ///< work of hourglass control
-  T viscous{};   ///< artificial and bulk viscosity
-  T contact{};   ///< in penalty springs
-  T friction{};  ///< heat of Coulomb friction
-  T external{};  ///< taken by supports; they do not move
+  T kinetic{};    ///< of all nodes
+  T elastic{};    ///< stored in the metal
+  T plastic{};    ///< work of the stresses that is not elastic
+  T hourglass{};  ///< work of hourglass control
+  T viscous{};    ///< artificial and bulk viscosity
+  T contact{};    ///< in penalty springs
+  T friction{};   ///< heat of Coulomb friction
+  T external{};   ///< taken by supports; they do not move
+  T conversion{}; ///< kinetic, of corners of hexes against each other, lost where hexes turned into particles
 };
 
 /// Sum of all parts, J: constant in time.
 template <class T> T total(const Energy<T> &e) {
-  return e.kinetic + e.elastic + e.plastic + e.hourglass + e.viscous + e.contact + e.friction + e.external;
+  return e.kinetic + e.elastic + e.plastic + e.hourglass + e.viscous + e.contact + e.friction + e.external +
+         e.conversion;
 }
 
 /// Kinetic energy of nodes at the time of the latest forces, J: m/2 v_before . v_after (exact for central differences).
@@ -62,8 +64,10 @@ template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &
     e.friction += friction_energy(contact);
   }
   for (const auto &contact : model.particle_contacts) e.contact += normal_energy(contact);
+  for (const auto &conversion : model.conversions) e.conversion += conversion.energy;
   const T copies = T(model.symmetry.copies());
-  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction, &e.external})
+  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction, &e.external,
+                  &e.conversion})
     *part *= copies;
   return e;
 }

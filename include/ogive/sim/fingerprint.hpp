@@ -74,8 +74,8 @@ template <class Body> void add_body(Fingerprint &print, const Body &body) {
   const auto &o = body.options;
   if constexpr (requires { body.hexes; }) {
     print.add(body.hexes), print.add(body.points.size());
-    for (const auto number :
-         {o.hourglass_stiffness, o.hourglass_viscosity, o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
+    for (const auto number : {o.hourglass_stiffness, o.hourglass_while_flowing, o.hourglass_viscosity,
+                              o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
       print.add(number);
   } else {
     print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing),
@@ -91,10 +91,14 @@ template <class Body> void add_body(Fingerprint &print, const Body &body) {
 /// Adds slaves, masters and options of a contact.
 template <class T> void add_contact(Fingerprint &print, const NodeToSurface<T> &contact) {
   print.add(contact.name), print.add(contact.symmetry), print.add(contact.slaves), print.add(contact.offset);
-  print.add(contact.search_margin), print.add(contact.master_mass), print.add(contact.facets.size());
-  for (const Facet &facet : contact.facets) print.add(facet.nodes);
+  print.add(contact.search_margin), print.add(contact.follows);
+  if (!contact.follows) {
+    print.add(contact.master_mass), print.add(contact.facets.size());
+    for (const Facet &facet : contact.facets) print.add(facet.nodes);
+  }
   const ContactOptions<T> &o = contact.options;
-  print.add(o.friction), print.add(o.stiffness), print.add(o.sticking), print.add(o.rigid_masters);
+  print.add(o.friction), print.add(o.stiffness), print.add(o.sticking), print.add(o.rigid_masters),
+      print.add(o.may_bury);
 }
 
 /// Adds bodies and stiffness of a contact of particles.
@@ -118,6 +122,11 @@ template <class T, class... Bodies> std::uint64_t fingerprint(const Model<T, Bod
       for (const T weight : t.weights) print.add(T(1) + weight);
     }
   for (const RigidPart &part : model.rigid_parts) print.add(part.nodes);
+  for (const Conversion<T> &c : model.conversions) {
+    print.add(c.particles), print.add(c.hexes), print.add(c.surface), print.add(c.options.every);
+    for (const T number : {c.options.largest_compression, c.options.smallest_step, c.options.least_strain_to_look_at})
+      print.add(number);
+  }
   const RunState<T> run;
   for_each_state_field(model, run, [&](const std::string &name, const auto &) { print.add(name); });
   return print.hash;

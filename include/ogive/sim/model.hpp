@@ -6,6 +6,7 @@
 #include "ogive/contact/tie.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
+#include "ogive/sim/conversion.hpp"
 #include "ogive/sim/phases.hpp"
 
 #include <cstdint>
@@ -31,6 +32,7 @@ template <class T, class... Bodies> struct Model {
   std::vector<Tie<T>> ties{};                          ///< between bodies
   std::vector<RigidPart> rigid_parts{};                ///< bodies that do not deform
   std::vector<ParticleContact<T>> particle_contacts{}; ///< between bodies of particles
+  std::vector<Conversion<T>> conversions{};            ///< bodies of hexes that turn into particles
 
   T time = T(0);                             ///< s, of the positions
   std::int64_t steps = 0;                    ///< made so far

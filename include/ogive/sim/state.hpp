@@ -51,6 +51,7 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
       for_each_hex_field(body, named);
     } else {
       field("viscous_energy", body.viscous_energy);
+      field("unborn", body.unborn);
       field("moments of bonds", body.bonds.moment);
       field("energy of bonds", body.bonds.energy);
       field("support of the lists", body.neighbours.support);
@@ -66,6 +67,7 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     field("normal_energy", contact.normal_energy);
     field("friction_energy", contact.friction_energy);
     field("lost", contact.lost);
+    field("present_offset", contact.present_offset);
     FullOrEmpty searched_at{contact.searched_at, nodes};
     field("positions of the search", searched_at);
   }
@@ -78,6 +80,9 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     FullOrEmpty searched_at{contact.searched_at, contact.volume.size()};
     field("positions of the search", searched_at);
   }
+  for (auto &conversion : model.conversions)
+    for_each_conversion_field(conversion,
+                              [&](const char *name, auto &value) { f("conversion " + std::string(name), value); });
 }
 
 /// Makes the neighbour lists and the candidates of contacts anew, from the positions that they were made from: the same

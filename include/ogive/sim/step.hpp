@@ -7,6 +7,7 @@
 #include "ogive/contact/tie.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/material/stress_update.hpp"
+#include "ogive/sim/convert.hpp"
 #include "ogive/sim/integrate.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sph/force.hpp"
@@ -19,6 +20,7 @@ template <class M, class T> void step(M &model, T dt) {
   Nodes<T> &nodes = model.nodes;
   const T before = model.last_step, kick = T(0.5) * (before + dt);
   Lap lap(model.times);
+  for (auto &conversion : model.conversions) convert(conversion, model), lap(Phase::hexes);
   clear_forces(nodes), lap(Phase::motion);
   for_each_body(model, [&](auto &body) {
     prepare(body, nodes), lap(phase_of(body, Phase::neighbours));

@@ -9,6 +9,7 @@
 #include "ogive/sph/neighbours.hpp"
 #include "ogive/sph/pair_data.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -46,18 +47,19 @@ template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = Renorma
   using Kernel = Kernel_;
   /// RenormalisedForm or StandardForm.
   using Form = Form_;
-  std::string name;              ///< for messages and files
-  Metal<T, Law> metal;           ///< the same in all particles
-  SphOptions<T> options{};       ///< numerical parameters
-  SymmetryPlanes symmetry{};     ///< mirror planes
-  T spacing{};                   ///< particle distance, m
-  NodeRange nodes{};             ///< one for each particle
-  MaterialPoints<T> points;      ///< state of the metal
-  std::vector<T> point_mass;     ///< kg, constant
-  std::vector<T> viscous_energy; ///< J, work of artificial viscosity: each particle's half of its pairs
-  Neighbours<T> neighbours;      ///< lists, made anew when particles have moved
-  PairData<T> pair_data;         ///< what neighbours see, made anew in each step
-  Bonds<T> bonds;                ///< against zero-energy modes; none unless the options ask for them
+  std::string name;                 ///< for messages and files
+  Metal<T, Law> metal;              ///< the same in all particles
+  SphOptions<T> options{};          ///< numerical parameters
+  SymmetryPlanes symmetry{};        ///< mirror planes
+  T spacing{};                      ///< particle distance, m
+  NodeRange nodes{};                ///< one for each particle
+  MaterialPoints<T> points;         ///< state of the metal
+  std::vector<T> point_mass;        ///< kg, constant
+  std::vector<std::uint8_t> unborn; ///< 1: a place kept for a particle to come, see Conversion; empty: all are there
+  std::vector<T> viscous_energy;    ///< J, work of artificial viscosity: each particle's half of its pairs
+  Neighbours<T> neighbours;         ///< lists, made anew when particles have moved
+  PairData<T> pair_data;            ///< what neighbours see, made anew in each step
+  Bonds<T> bonds;                   ///< against zero-energy modes; none unless the options ask for them
 };
 
 /// Particles that fill a shape: positions in m, and the volume of each in m3.
@@ -102,9 +104,14 @@ template <class Body> auto reference_smoothing_length(const Body &body) {
   return body.options.smoothing_ratio * body.spacing;
 }
 
-/// True if particle i has failed and has been removed: it has no neighbours any more.
+/// True if particle i is not there yet.
+template <class T, class Law, class K, class F> bool is_unborn(const SphBody<T, Law, K, F> &body, Index i) {
+  return !body.unborn.empty() && body.unborn[i] != 0;
+}
+
+/// True if particle i is not there: it has failed and has been removed, or is yet to come. It has no neighbours.
 template <class T, class Law, class K, class F> bool is_removed(const SphBody<T, Law, K, F> &body, Index i) {
-  return is_removed(body.metal.damage, body.points.damage[i]);
+  return is_unborn(body, i) || is_removed(body.metal.damage, body.points.damage[i]);
 }
 
 /// True if the `n`-th node of the body belongs to nothing but removed material.

@@ -5,6 +5,7 @@
 #include "ogive/sph/body.hpp"
 
 #include <span>
+#include <vector>
 
 namespace ogive {
 
@@ -24,7 +25,7 @@ template <class T, class F> void for_each_image(const Neighbours<T> &n, F &&f) {
 /// Calls `f(i, lane)` for each particle i of cluster c.
 template <class Body, class F> void for_each_lane(const Body &body, Index c, F &&f) {
   const Index width = lanes<typename Body::Scalar>, first = c * width;
-  for (Index l = 0; l < std::min(width, body.points.size() - first); ++l) f(body.neighbours.order[first + l], l);
+  for (Index l = 0; l < std::min(width, body.neighbours.listed - first); ++l) f(body.neighbours.order[first + l], l);
 }
 
 /// Smoothing length of particle i, m.
@@ -37,7 +38,15 @@ template <class T, class Law, class K, class F> T smoothing_length(const SphBody
 /// Builds the neighbour lists for particles at `x` (m), complete within `support` (m), and makes room for pair data.
 template <class T, class Law, class K, class F>
 void build_lists(SphBody<T, Law, K, F> &body, std::span<const Vec3<T>> x, T support) {
-  build_neighbours(body.neighbours, x, body.symmetry, support, body.options.skin_ratio * body.spacing);
+  const T skin = body.options.skin_ratio * body.spacing;
+  if (body.unborn.empty()) {
+    build_neighbours(body.neighbours, x, body.symmetry, support, skin);
+  } else {
+    std::vector<Index> born;
+    for (Index i = 0; i < body.points.size(); ++i)
+      if (!is_unborn(body, i)) born.push_back(i);
+    build_neighbours(body.neighbours, x, std::span<const Index>(born), body.symmetry, support, skin);
+  }
   resize(body.pair_data, body.neighbours.order.size() + body.neighbours.images.size());
   if constexpr (F::corrected)
     for (auto &B : body.pair_data.correction) B.resize(body.neighbours.order.size());

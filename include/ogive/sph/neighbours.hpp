@@ -31,6 +31,7 @@ struct MirrorImage {
 /// together; cluster c has the places from c * lanes<T>. Mirror images have the places behind all clusters.
 template <class T> struct Neighbours {
   std::vector<Index> order;                ///< particle of each place; the last cluster is filled up with its last one
+  Index listed = 0;                        ///< number of particles in the lists
   std::vector<MirrorImage> images;         ///< image g has the place order.size() + g
   std::vector<std::int64_t> cluster_begin; ///< number of clusters + 1
   std::vector<Index> list;                 ///< places
@@ -111,7 +112,7 @@ template <class T> auto row_within(const Neighbours<T> &n, Index c) { return Set
 
 /// Calls `f(i, j)` once for each two particles i < j that a list brings together, and maybe for some farther apart.
 template <class T, class F> void for_each_neighbour_pair(const Neighbours<T> &n, F &&f) {
-  const Index places = static_cast<Index>(n.order.size()), count = static_cast<Index>(n.built_at.size());
+  const Index places = static_cast<Index>(n.order.size()), count = n.listed;
   for (Index c = 0; c < clusters(n); ++c)
     for (Index k = c * lanes<T>; k < std::min(count, (c + 1) * lanes<T>); ++k)
       for (const Index place : row(n, c))
@@ -241,7 +242,7 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   n.built_at.assign(positions.begin(), positions.end());
   // As wide as a cube that holds a cluster, where the support holds about 58 particles.
   n.order = column_order(positions, std::cbrt(T(lanes<T>)) * support / T(2.4));
-  const Index count = static_cast<Index>(positions.size());
+  const Index count = n.listed = static_cast<Index>(positions.size());
   std::vector<Index> place_of(count);
   for (Index k = 0; k < count; ++k) place_of[n.order[k]] = k;
   for (MirrorImage &image : n.images) image.place = place_of[image.parent];
@@ -291,17 +292,36 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   });
 }
 
-/// How far two particles may have moved relative to each other since they stood at `before`, m, or more: no two
-/// displacements differ by more than the diagonal of the box around all of them, images included. NaN if one is.
+/// The same with lists of the particles `members` only; the others have no place.
 template <class T>
-T largest_relative_move(std::span<const Vec3<T>> before, std::span<const Vec3<T>> positions, SymmetryPlanes planes) {
+void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, std::span<const Index> members,
+                      SymmetryPlanes planes, T support, T skin) {
+  if (members.empty()) {
+    n = Neighbours<T>{};
+    n.support = support, n.reach = support + skin;
+    n.cluster_begin = {0};
+  } else {
+    std::vector<Vec3<T>> there;
+    there.reserve(members.size());
+    for (const Index i : members) there.push_back(positions[i]);
+    build_neighbours(n, std::span<const Vec3<T>>(there), planes, support, skin);
+    for (Index &i : n.order) i = members[i];
+    for (MirrorImage &image : n.images) image.parent = members[image.parent];
+  }
+  n.built_at.assign(positions.begin(), positions.end());
+}
+
+/// How far two of `count` particles may have moved relative to each other, m, or more, if `move(k)` (m) is how far the
+/// k-th has: no two displacements differ by more than the diagonal of the box around all of them, images included. NaN
+/// if one is.
+template <class T, class F> T largest_relative_move(Index count, F &&move, SymmetryPlanes planes) {
   struct Box {
     Vec3<T> low, high;
   };
   const Box box = ordered_fold(
-      static_cast<Index>(positions.size()), Box{Vec3<T>::Constant(T(1e30)), Vec3<T>::Constant(T(-1e30))},
-      [&](Index i) {
-        const Vec3<T> u = positions[i] - before[i];
+      count, Box{Vec3<T>::Constant(T(1e30)), Vec3<T>::Constant(T(-1e30))},
+      [&](Index k) {
+        const Vec3<T> u = move(k);
         return Box{u, u};
       },
       [](const Box &a, const Box &b) {
@@ -324,7 +344,9 @@ T largest_relative_move(std::span<const Vec3<T>> before, std::span<const Vec3<T>
 template <class T>
 bool are_stale(const Neighbours<T> &n, std::span<const Vec3<T>> positions, SymmetryPlanes planes, T support) {
   if (n.built_at.size() != positions.size()) return true;
-  const T relative = largest_relative_move(std::span<const Vec3<T>>(n.built_at), positions, planes);
+  if (n.order.empty()) return false;
+  const auto move = [&](Index k) { return Vec3<T>(positions[n.order[k]] - n.built_at[n.order[k]]); };
+  const T relative = largest_relative_move<T>(static_cast<Index>(n.order.size()), move, planes);
   return std::isfinite(relative) && relative > n.reach - support;
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/contact/force.hpp"
+#include "ogive/contact/node_to_surface.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+/// \file
+/// Contacts of bodies that lose hexes and gain particles while the model runs. Between two steps a force has done half
+/// of its work: what ends there is settled first, so that no work is lost.
+
+namespace ogive {
+
+/// Books the work that the force on slave `s` did since the middle of the last step of `dt` (s), and ends the force.
+template <class T> void settle(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s, T dt) {
+  const ContactForce<T> before = std::exchange(contact.forces[s], {});
+  if (before.facet < 0) return;
+  const Vec3<T> v = relative_velocity(contact, nodes, s, before);
+  contact.normal_energy[s] -= T(0.5) * dt * v.dot(before.normal);
+  contact.friction_energy[s] -= T(0.5) * dt * v.dot(before.friction);
+}
+
+/// Takes the masses that the slaves have now. A slave without mass is let go. One that had none is new: it may overlap
+/// the surface, and its offset grows from where it is.
+template <class T> void follow_slaves(NodeToSurface<T> &contact, const Nodes<T> &nodes, T dt) {
+  for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
+    const T mass = nodes.mass[contact.slaves[s]];
+    if (mass == contact.slave_mass[s]) continue;
+    if (contact.slave_mass[s] == T(0)) contact.present_offset[s] = std::numeric_limits<T>::lowest();
+    if (mass == T(0)) settle(contact, nodes, s, dt);
+    contact.slave_mass[s] = mass;
+  }
+  contact.searched_at.clear();
+}
+
+/// Number of slaves that overlap the surface: their offset is below zero.
+template <class T> Index count_buried(const NodeToSurface<T> &contact) {
+  Index buried = 0;
+  for (std::size_t s = 0; s < contact.present_offset.size(); ++s)
+    buried += contact.slave_mass[s] > T(0) && contact.present_offset[s] < T(0) ? 1 : 0;
+  return buried;
+}
+
+/// Takes other facets; forces begin anew on them.
+template <class T>
+void follow_surface(NodeToSurface<T> &contact, const Nodes<T> &nodes, std::vector<Facet> facets, T dt) {
+  for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) settle(contact, nodes, s, dt);
+  set_facets(contact, nodes, std::move(facets));
+  contact.searched_at.clear();
+}
+
+} // namespace ogive

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/core/nodes.hpp"
+#include "ogive/core/symmetry.hpp"
+#include "ogive/fem/facets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+/// \file
+/// The surface of a body whose hexes go one by one: a face shows where there is no hex behind it, or none any more.
+
+namespace ogive {
+
+/// For each hex and face (in the order of hex_faces) the hex behind it, or one of the two below.
+using FaceNeighbours = std::vector<std::array<Index, 6>>;
+
+/// Behind a face of the surface.
+inline constexpr Index no_neighbour = -1;
+
+/// Behind a face in a mirror plane: its own image, so that it never shows.
+inline constexpr Index mirror_neighbour = -2;
+
+/// The nodes of face `face` of a hex.
+inline std::array<Index, 4> face_nodes(const std::array<Index, 8> &hex, std::size_t face) {
+  std::array<Index, 4> nodes;
+  for (std::size_t k = 0; k < 4; ++k) nodes[k] = hex[hex_faces[face][k]];
+  return nodes;
+}
+
+/// Which hexes share faces. Faces whose nodes a mirror plane holds have their image behind them.
+template <class T>
+FaceNeighbours face_neighbours(const std::vector<std::array<Index, 8>> &hexes, const Nodes<T> &nodes,
+                               SymmetryPlanes planes) {
+  std::vector<std::pair<std::array<Index, 4>, std::size_t>> faces;
+  faces.reserve(6 * hexes.size());
+  for (std::size_t place = 0; place < 6 * hexes.size(); ++place) {
+    auto sorted = face_nodes(hexes[place / 6], place % 6);
+    std::sort(sorted.begin(), sorted.end());
+    faces.emplace_back(sorted, place);
+  }
+  std::sort(faces.begin(), faces.end());
+  FaceNeighbours neighbours(hexes.size());
+  for (auto &of_hex : neighbours) of_hex.fill(no_neighbour);
+  for (std::size_t i = 0; i + 1 < faces.size(); ++i)
+    if (const auto &[a, b] = std::pair(faces[i].second, faces[i + 1].second); faces[i].first == faces[i + 1].first) {
+      neighbours[a / 6][a % 6] = static_cast<Index>(b / 6);
+      neighbours[b / 6][b % 6] = static_cast<Index>(a / 6);
+    }
+  const auto lies_in = [&](const std::array<Index, 4> &face, Held plane) {
+    return std::all_of(face.begin(), face.end(), [&](Index n) { return (nodes.held[n] & plane) != 0; });
+  };
+  for (std::size_t e = 0; e < hexes.size(); ++e)
+    for (std::size_t f = 0; f < 6; ++f)
+      if (const auto face = face_nodes(hexes[e], f);
+          neighbours[e][f] == no_neighbour &&
+          ((planes.x && lies_in(face, held_x)) || (planes.y && lies_in(face, held_y))))
+        neighbours[e][f] = mirror_neighbour;
+  return neighbours;
+}
+
+/// The faces of hexes that are there with nothing behind them; `is_gone(e)` tells which are not. In the order of the
+/// hexes.
+template <class F>
+std::vector<Facet> exposed_facets(const std::vector<std::array<Index, 8>> &hexes, const FaceNeighbours &neighbours,
+                                  F &&is_gone) {
+  std::vector<Facet> facets;
+  for (Index e = 0; e < static_cast<Index>(hexes.size()); ++e) {
+    if (is_gone(e)) continue;
+    for (std::size_t f = 0; f < 6; ++f)
+      if (const Index behind = neighbours[e][f]; behind == no_neighbour || (behind >= 0 && is_gone(behind)))
+        facets.push_back({face_nodes(hexes[e], f), e});
+  }
+  return facets;
+}
+
+} // namespace ogive
