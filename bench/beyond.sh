@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # beyond.sh [folder]: the shots behind docs/beyond.md, --method stabilised: the 12 mm plate that its parameters were
 # chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
 # --method adaptive (PART=adaptive: these alone). Shots that the folder holds already are not run again; READ_ONLY=1 runs

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # figures_1_to_3.sh [folder [folder for pictures]]: fits the laws to the computed curves in apps/data, the counterpart of
 # Liu et al. 2012, Fig. 1 to 3. Prints tables in Markdown beside the paper's Tables 1 and 2 and, if a second folder is
 # given, copies the pictures there. CALIBRATE names another program than that of build/release.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # performance.sh [--insert] [option of bench_step]...: times the steps of a shot and prints the tables of
 # docs/performance.md in Markdown; --insert puts them there too. Let nothing else run. BENCH_STEP names another program
 # than that of build/release; bench_step --help lists its options.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # plate_12mm.sh [folder]: the four measured shots on 12 mm Weldox 460 E with a blunt nose, as the default case, with a
 # rigid projectile and with the standard form; the other noses; the four shots with the cubic lattice. Shots that the
 # folder holds already are not run again. Prints a table in Markdown.

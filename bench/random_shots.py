@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """random_shots.py [--count N] [--seed S] [--jobs J] [--perforate PROGRAM] [--out FOLDER] [--end-us T]
 
 Shoots N random but legal cases for a short time (200 cases of 30 us unless said otherwise) and checks each: no fault, an

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # sensitivity.sh [folder]: what the choices that the paper leaves open do to one shot (12 mm, blunt, 303.5 m/s, particles
 # 1 mm apart). Shots that the folder holds already are not run again. Prints a table in Markdown.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # verification.sh [--insert] [option of verification]...: computes the ladder of docs/verification.md and prints its
 # tables in Markdown; --insert puts them there too. The exit status is 1 if a line is off. VERIFICATION names another
 # program than that of build/release; verification --help lists its options.

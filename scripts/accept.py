@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Holds results against docs/results/acceptance.toml and prints a line for each check. Exit status 0 if all passed, 1
 if any failed or lacks its data, 2 for wrong input."""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """check_links.py FOLDER: looks whether all links of a site lead somewhere, without a network.
 
 Every href and src in the .html files of the folder, and every address in Doxygen's menudata.js, must be a file of the

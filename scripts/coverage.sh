@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # coverage.sh [ctest option]...: builds the preset coverage, runs the tests and prints which share of the lines of
 # include/ they reach, by file and by folder. A template that nothing instantiates has no lines; a header without any is
 # named. Needs gcovr (apt-get install gcovr) besides what scripts/setup.sh installs. The exit status is 1 below 90 %.

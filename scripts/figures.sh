@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # figures.sh [--quick] [--page] [--jobs N]: runs or resumes all shots of the paper's figures, draws them and makes the
 # page docs/results/index.html.
 #   --quick   coarse: particles 1.5 mm apart, in vtk_out/figures_quick; the page goes to its folder page/
@@ -24,7 +25,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     --help)
-      sed -n '2,/^set /{s/^# \{0,1\}//p}' "$0"
+      sed -n '3,/^set /{s/^# \{0,1\}//p}' "$0"
       exit 0
       ;;
     *) refuse "$1: unknown option; there are --quick, --page, --jobs N and --help" ;;

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # fuzz.sh [--runs N] [target]...: builds the preset fuzz and tries each reader, or those that are named, with N inputs
 # (1,000,000 unless said otherwise) that libFuzzer makes from the seeds in tests/fuzz/seeds. What a target learns stays in
 # build/fuzz/corpus and is where the next run begins. An input that a reader crashes, hangs or takes too much memory on

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # lint.sh [file]...: clang-format and clang-tidy over these sources, or over all of include/, apps/, tests/, bench/ and
 # examples/. Headers are read together in one translation unit: one for each would parse Eigen and VTK again and again.
 # Needs clang-format, clang-tidy and libomp-dev (Debian 12 has version 14), and what scripts/setup.sh installs. The exit

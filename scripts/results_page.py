@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """results_page.py FOLDER OUT: makes a page of the results of a campaign. OUT/index.html opens from the disk; beside it
 lie the pictures, results/*.csv with what was computed and run_record.* with how."""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # run.sh [options]: sets up, builds and runs perforate with these options (--help lists them). Relative names count from
 # the current folder. The exit status is perforate's.
 set -euo pipefail

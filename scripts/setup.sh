@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the tools and libraries that ogive needs and that are missing, with Debian's or Ubuntu's apt-get.
 # Does nothing, and needs neither network nor root, where all are there.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # with_display.sh command [argument]...: runs the command, with a virtual display where there is no other: VTK draws
 # only with one, though no window opens. The exit status is the command's.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shared/command_line.hpp"
 
 #include "ogive/fit/adiabatic_curve.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "campaign.hpp"
 
 /// Figs. 12 to 14: conical projectiles on AA5083-H116 plates of 15 to 30 mm.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "campaign.hpp"
 
 /// Fig. 11: blunt, conical and ogival projectiles on 12 mm Weldox 460 E.

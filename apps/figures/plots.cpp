@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "plots.hpp"
 
 #include "ogive/io/gnuplot.hpp"

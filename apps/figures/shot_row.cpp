@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shot_row.hpp"
 
 #include "ogive/io/csv_rows.hpp"

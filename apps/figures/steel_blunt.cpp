@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "campaign.hpp"
 
 /// Figs. 6 to 10: blunt projectiles on Weldox 460 E plates of 6 to 20 mm.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "interrupt.hpp"
 
 namespace perforate {

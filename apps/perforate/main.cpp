@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limit.hpp"
 #include "mesh.hpp"
 #include "run_case.hpp"

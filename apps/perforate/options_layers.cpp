@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "options_layers.hpp"
 
 #include "options_material.hpp"

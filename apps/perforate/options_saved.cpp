@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "saved_case.hpp"
 
 #include "ogive/io/archive.hpp"

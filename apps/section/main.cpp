@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "figures.hpp"
 
 #include "ogive/io/write_error.hpp"

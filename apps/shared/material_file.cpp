@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "material_file.hpp"
 
 #include "material_keys.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "out_folder.hpp"
 
 #include "input.hpp"

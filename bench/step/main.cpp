@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// \file
 /// bench_step: times the steps of a shot and compares them with what the machine can do.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shot.hpp"
 
 #include "ogive/perforation/setup.hpp"

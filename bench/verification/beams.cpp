@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fem/beam.hpp"
 #include "record.hpp"
 #include "timoshenko.hpp"

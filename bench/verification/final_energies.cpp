@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "compiler.hpp"
 #include "record.hpp"
 #include "sim/small_shot.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fem/brick.hpp"
 #include "record.hpp"
 #include "sph/block.hpp"

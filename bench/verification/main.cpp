@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// \file
 /// verification: computes the ladder of docs/verification.md, rung by rung, and prints its tables.
 

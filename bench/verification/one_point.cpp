@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "record.hpp"
 
 #include "ogive/material/library.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "contact/joint.hpp"
 #include "fem/brick.hpp"
 #include "record.hpp"

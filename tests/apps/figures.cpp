@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "figures/campaign.hpp"
 
 #include "catch.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "figures/limits.hpp"
 
 #include "catch.hpp"

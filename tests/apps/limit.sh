@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # limit.sh <perforate> <folder>: finds the ballistic limit of a coarse thin plate, stops on the way, goes on, and runs
 # nothing twice. Works in the folder.
 set -euo pipefail

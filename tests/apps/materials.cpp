@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perforate/options_material.hpp"
 
 #include "apps/parse.hpp"

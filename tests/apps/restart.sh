@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # restart.sh <perforate> <folder>: interrupts, kills and fills the disk of small shots, lets them go on and compares them
 # with one that nothing stopped: the state to its last bit, all files, the summary but for times. Works in the folder.
 set -euo pipefail

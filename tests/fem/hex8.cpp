@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/fem/hex8.hpp"
 
 #include "brick.hpp"

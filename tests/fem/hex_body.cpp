@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/fem/hex_body.hpp"
 
 #include "brick.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "brick.hpp"
 #include "catch.hpp"
 #include "ogive/fem/plate_rim.hpp"

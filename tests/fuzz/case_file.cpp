@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perforate/options.hpp"
 #include "perforate/options_table.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/memory_file.hpp"
 #include "fuzz/must.hpp"
 #include "fuzz/sound_checkpoint.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/fit/curve_table.hpp"
 
 #include "fuzz/target.hpp"

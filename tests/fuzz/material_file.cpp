@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shared/material_file.hpp"
 
 #include "fuzz/must.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/io/archive.hpp"
 
 #include "catch.hpp"

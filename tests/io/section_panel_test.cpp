@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/io/section_panel.hpp"
 
 #include "io/png_pixels.hpp"

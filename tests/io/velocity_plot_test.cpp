@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/io/velocity_plot.hpp"
 
 #include "io/temporary_folder.hpp"

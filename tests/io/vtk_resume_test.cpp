@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/io/vtk_resume.hpp"
 
 #include "io/sample_frame.hpp"
