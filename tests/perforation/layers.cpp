@@ -146,8 +146,8 @@ TEST_CASE("a shot through two plates keeps its energy and lets nothing through",
   CHECK(largest_intrusion(model) < 0.5 * c.spacing);
   const auto whole = find_fragments(model), upper = find_fragments_of(model, 0), lower = find_fragments_of(model, 1);
   CHECK(whole.plug_mass == Approx(upper.plug_mass + lower.plug_mass));
-  CHECK(upper.plug_mass > 3e-3); // 7.4 g of steel and 2.5 g of aluminium lie in the projectile's way
-  CHECK(lower.plug_mass > 0.5e-3);
+  CHECK(upper.plug_mass > 3e-3);    // 7.4 g of steel and 2.5 g of aluminium lie in the projectile's way
+  CHECK(lower.plug_mass > 0.25e-3); // petals stay on; a loose plug is its share of a gram
   // What the projectile has pushed out lies below what hangs on, in the order of the plates.
   for (std::size_t k = 0; k < 2; ++k) {
     const auto shape = plate_shape(model, k == 0 ? disc_positions(build(c), 0) : before, 10e-3, layers_of(c)[k], k);

@@ -30,10 +30,10 @@ struct SelectiveReduced {
 /// Numerical resistance of hexes.
 template <class T> struct HexOptions {
   T hourglass_stiffness = T(0.1);      ///< fraction of the element's own stiffness, see hourglass.hpp
-  T hourglass_while_flowing = T(1);    ///< factor of the stiffness while the hex flows
   T hourglass_viscosity = T(0);        ///< fraction of the element's acoustic impedance
   T linear_bulk_viscosity = T(0.06);   ///< in compression only
   T quadratic_bulk_viscosity = T(1.5); ///< in compression only
+  T hourglass_while_flowing = T(1);    ///< factor of the hourglass stiffness while the hex flows
 };
 
 /// For each node of a body, the element corners that meet there: `corners[begin[n]]` to `corners[begin[n + 1]]` of the

@@ -155,7 +155,7 @@ inline void write_png(const std::filesystem::path &path, vtkRenderWindow *window
   std::array<unsigned char, 256> rounded{};
   for (int v = 0; v < 256; ++v)
     rounded[static_cast<std::size_t>(v)] =
-        static_cast<unsigned char>(std::lround(255.0 * std::lround(v * (levels - 1) / 255.0) / (levels - 1)));
+        static_cast<unsigned char>(std::lround(255.0 * std::round(v * (levels - 1) / 255.0) / (levels - 1)));
   std::transform(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues(), bytes->GetPointer(0),
                  [&](unsigned char v) { return rounded[v]; });
   vtkNew<vtkPNGWriter> png;

@@ -129,12 +129,12 @@ template <class N> auto eigenvalues_above(const Mat3<N> &m, N bound) {
   return (a > N(0)) & (minor > N(0)) & (det > N(0));
 }
 
-/// B = M^-1 where neighbours surround the particle: all eigenvalues of M above 0.2 and their mean below 1.5; else the
+/// B = M^-1 where neighbours surround the particle: all eigenvalues of M above 0.17 and their mean below 1.5; else the
 /// identity (lone particles, strings, sheets). The highest frequency of a particle grows with the square root of B's
 /// largest eigenvalue, so that the bound keeps the time step stable: with 0.15 torn necks gained energy. On a lattice
 /// the smallest eigenvalue is 1 inside and 0.24 at a corner, so that all free surfaces are corrected.
 template <class N> Mat3<N> correction_matrix(const Mat3<N> &moment) {
-  const auto surrounded = eigenvalues_above(moment, N(0.2)) & (moment(0, 0) + moment(1, 1) + moment(2, 2) < N(4.5));
+  const auto surrounded = eigenvalues_above(moment, N(0.17)) & (moment(0, 0) + moment(1, 1) + moment(2, 2) < N(4.5));
   Mat3<N> B = inverse(moment);
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) B(r, c) = select(surrounded, B(r, c), N(r == c ? 1 : 0));
