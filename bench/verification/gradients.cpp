@@ -123,8 +123,8 @@ Rung gradients() {
   Rung rung;
   rung.name = "gradients";
   const double scale = sph_test::some_gradient().norm();
-  vanishes(rung, "linear field, particles at random, by 0.1 distances, surfaces included",
-           error_of(sph_test::block(10, 10, 10, 0.1, edge / 10), linear()).anywhere / scale, 1e-12);
+  vanishes(rung, "linear field, particles at random, by 0.05 distances, surfaces included",
+           error_of(sph_test::block(10, 10, 10, 0.05, edge / 10), linear()).anywhere / scale, 1e-12);
   const auto wild = error_of(sph_test::block(10, 10, 10, 0.15, edge / 10), linear());
   vanishes(rung, "the same by 0.15 distances, inside", wild.inside / scale, 1e-12);
   vanishes(rung, "the same by 0.15 distances: share of particles without correction", wild.inexact, 0.01);
