@@ -66,6 +66,21 @@ TEST_CASE("names and titles are data to gnuplot, never commands") {
   CHECK_THROWS_AS(write_velocity_plot(history, folder.path / "a.svg", plot), SetupError);
 }
 
+TEST_CASE("digits that follow other characters stay digits in names and titles") {
+  CHECK(gnuplot_quoted("6+6 (20)") == "\"6\\053\\066 \\050\\062\\060\\051\"");
+  if (!gnuplot_available()) {
+    WARN("skipped: there is no gnuplot");
+    return;
+  }
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path / "6+6mm");
+  const auto history = sample_history(folder.path / "6+6mm");
+  VelocityPlot plot;
+  plot.title = "6+6 mm (20 mm apart)";
+  write_velocity_plot(history, folder.path / "6+6mm" / "velocity.svg", plot);
+  CHECK(has(read_text(folder.path / "6+6mm" / "velocity.svg"), plot.title));
+}
+
 TEST_CASE("a history without the columns, or none, is refused") {
   const TemporaryFolder folder;
   const auto history = sample_history(folder.path);

@@ -52,9 +52,13 @@ inline std::string gnuplot_quoted(const std::string &text) {
           "must not hold a line end or a NUL");
   // Everything that could mean something to gnuplot goes in octal: its rules for quotes within quotes have gaps.
   std::string quoted = "\"";
+  bool escaped = false;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 || std::isalnum(byte) || c == ' ' || c == '/' || c == '.' || c == '_' || c == '-')
+    // It takes a digit behind three octal ones for a fourth.
+    escaped = !(byte >= 0x80 || (std::isdigit(byte) && !escaped) || std::isalpha(byte) || c == ' ' || c == '/' ||
+                c == '.' || c == '_' || c == '-');
+    if (!escaped)
       quoted += c;
     else {
       std::array<char, 8> octal{};
