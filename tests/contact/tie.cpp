@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
 #include "contact/joint.hpp"
+#include "node_sums.hpp"
 
 using namespace contact_test;
 using fem_test::Noise;
@@ -8,18 +9,6 @@ using fem_test::Noise;
 namespace {
 
 constexpr double spacing = Joint::spacing;
-
-double total_mass(const Nodes<double> &nodes) {
-  double mass = 0;
-  for (const double m : nodes.mass) mass += m;
-  return mass;
-}
-
-V first_moment(const Nodes<double> &nodes) {
-  V sum = V::Zero();
-  for (Index n = 0; n < nodes.size(); ++n) sum += nodes.mass[n] * nodes.position[n];
-  return sum;
-}
 
 const auto gradient = (Mat3<double>() << 300, -200, 500, 70, 110, -400, 250, 60, -80).finished();
 

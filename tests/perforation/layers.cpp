@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
+#include "perforation/refusal.hpp"
 
 #include "ogive/io/checkpoint.hpp"
 #include "ogive/io/frame.hpp"
@@ -200,12 +201,7 @@ TEST_CASE("targets that do not fit together are refused with a line that says wh
   const auto refused = [](auto change) {
     auto c = two_plates();
     change(c);
-    try {
-      build(c);
-    } catch (const SetupError &error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+    return refusal_of([&] { build(c); });
   };
   using Case = PerforationCase<double>;
   CHECK(refused([](Case &) {}) == "accepted");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
+#include "perforation/refusal.hpp"
 
 #include "ogive/perforation/setup.hpp"
 
@@ -141,12 +142,7 @@ TEST_CASE("cases that do not fit together are refused with a line that says why"
   const auto refused = [](auto change) {
     auto c = coarse_case();
     change(c);
-    try {
-      build(c);
-    } catch (const SetupError &error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+    return refusal_of([&] { build(c); });
   };
   using Case = PerforationCase<double>;
   CHECK(refused([](Case &) {}) == "accepted");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
+#include "node_sums.hpp"
 #include "sim/balance.hpp"
 #include "sim/blocks.hpp"
 #include "sim/small_shot.hpp"
@@ -47,19 +48,6 @@ auto convertible_brick(Index nx, Index ny, Index nz, double h, double failure_st
   return model;
 }
 
-double mass_of(const Nodes<double> &nodes) {
-  double mass = 0;
-  for (const double m : nodes.mass) mass += m;
-  return mass;
-}
-
-/// Sum of m x, kg m.
-V moment_of(const Nodes<double> &nodes) {
-  V sum = V::Zero();
-  for (Index n = 0; n < nodes.size(); ++n) sum += nodes.mass[n] * nodes.position[n];
-  return sum;
-}
-
 template <class M> auto &particles_of(M &model) { return std::get<0>(model.bodies); }
 template <class M> auto &hexes_of(M &model) { return std::get<1>(model.bodies); }
 
@@ -101,13 +89,13 @@ TEST_CASE("a hex that fails becomes a particle with its mass, momentum and state
   hexes.points.plastic_strain[middle] = 1.5;
   hexes.points.internal_energy[middle] = 5000;
   hexes.points.density[middle] = 7900;
-  const double mass = mass_of(nodes), before = total(energy(model));
-  const V p = momentum(model), moment = moment_of(nodes);
+  const double mass = total_mass(nodes), before = total(energy(model));
+  const V p = momentum(model), moment = first_moment(nodes);
   convert(model.conversions[0], model);
 
-  CHECK(mass_of(nodes) == Approx(mass).epsilon(1e-15));
+  CHECK(total_mass(nodes) == Approx(mass).epsilon(1e-15));
   CHECK((momentum(model) - p).norm() < 1e-15 * p.norm());
-  CHECK((moment_of(nodes) - moment).norm() < 1e-15 * moment.norm());
+  CHECK((first_moment(nodes) - moment).norm() < 1e-15 * moment.norm());
   CHECK(total(energy(model)) == Approx(before).epsilon(1e-14));
   CHECK(energy(model).conversion > 0);
   CHECK(model.conversions[0].failed == 1);
@@ -135,9 +123,9 @@ TEST_CASE("a node whose hexes have all gone has no mass, takes part in nothing a
   auto model = convertible_brick(2, 2, 2, 1e-3);
   auto &hexes = hexes_of(model);
   for (Index e = 0; e < 4; ++e) hexes.points.damage[e] = 1;
-  const double mass = mass_of(model.nodes);
+  const double mass = total_mass(model.nodes);
   for (int i = 0; i < 20; ++i) step(model, stable_time_step(model));
-  CHECK(mass_of(model.nodes) == Approx(mass).epsilon(1e-15));
+  CHECK(total_mass(model.nodes) == Approx(mass).epsilon(1e-15));
   Index bare = 0;
   for (Index n = hexes.nodes.begin; n < hexes.nodes.end; ++n) {
     CHECK((model.nodes.mass[n] == 0) == is_node_removed(hexes, n - hexes.nodes.begin));
@@ -172,12 +160,12 @@ TEST_CASE("a hex that is about to invert becomes a particle before it fails, and
     CHECK(find_inverted(model));
   }
   hexes.points.pressure[4] = 1e9;
-  const double before = total(energy(model)), mass = mass_of(nodes);
+  const double before = total(energy(model)), mass = total_mass(nodes);
   convert(model.conversions[0], model);
   CHECK(model.conversions[0].distorted == 1);
   CHECK(model.conversions[0].failed == 0);
   CHECK(particles_of(model).points.damage[4] == 1);
-  CHECK(mass_of(nodes) == Approx(mass).epsilon(1e-15));
+  CHECK(total_mass(nodes) == Approx(mass).epsilon(1e-15));
   CHECK(total(energy(model)) == Approx(before).margin(1e-12));
 }
 
@@ -185,7 +173,7 @@ TEST_CASE("a bar of hexes tears into particles and keeps momentum, mass and ener
   auto model = convertible_brick(16, 4, 4, 1e-3);
   auto &nodes = model.nodes;
   for (Index n = 0; n < nodes.size(); ++n) nodes.velocity[n] = V(400 * (2 * nodes.position[n][0] / 16e-3 - 1), 3, 0);
-  const double mass = mass_of(nodes), before = total(energy(model));
+  const double mass = total_mass(nodes), before = total(energy(model));
   const V p = momentum(model);
   double worst = 0;
   while (model.time < 20e-6) {
@@ -194,7 +182,7 @@ TEST_CASE("a bar of hexes tears into particles and keeps momentum, mass and ener
   }
   CHECK(model.conversions[0].failed > 10);
   CHECK_FALSE(find_not_finite(model));
-  CHECK(mass_of(nodes) == Approx(mass).epsilon(1e-14));
+  CHECK(total_mass(nodes) == Approx(mass).epsilon(1e-14));
   CHECK((momentum(model) - p).norm() < 1e-11 * p.norm());
   CHECK(worst < 0.002);
   CHECK(is_closed(model.contacts[0].facets));

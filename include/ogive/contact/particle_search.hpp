@@ -3,6 +3,7 @@
 
 #include "ogive/contact/particle_contact.hpp"
 #include "ogive/core/parallel.hpp"
+#include "ogive/core/relative_move.hpp"
 #include "ogive/sph/kernel.hpp"
 #include "ogive/sph/neighbours.hpp"
 
