@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/contact/follow.hpp"
+#include "ogive/core/parallel.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/fem/hex_time_step.hpp"
 #include "ogive/sim/model.hpp"
@@ -159,12 +160,19 @@ template <class T, class... Bodies> void convert(Conversion<T> &conversion, Mode
   if (model.steps % conversion.options.every != 0) return;
   Nodes<T> &nodes = model.nodes;
   with_bodies(model, conversion, [&](auto &particles, auto &hexes) {
+    enum Verdict : char { stays, failed, distorted };
+    std::vector<Verdict> verdicts(particles.points.size(), stays);
+    parallel_for(particles.points.size(), [&](Index e) {
+      if (!is_unborn(particles, e)) return;
+      if (is_failed(hexes, e))
+        verdicts[e] = failed;
+      else if (is_too_distorted(hexes, nodes, e, conversion.options, particles.spacing))
+        verdicts[e] = distorted;
+    });
     std::vector<Index> going;
     for (Index e = 0; e < particles.points.size(); ++e) {
-      if (!is_unborn(particles, e)) continue;
-      const bool failed = is_failed(hexes, e);
-      if (!failed && !is_too_distorted(hexes, nodes, e, conversion.options, particles.spacing)) continue;
-      ++(failed ? conversion.failed : conversion.distorted);
+      if (verdicts[e] == stays) continue;
+      ++(verdicts[e] == failed ? conversion.failed : conversion.distorted);
       going.push_back(e);
     }
     if (going.empty()) return;
