@@ -17,7 +17,8 @@ template <class T> struct Touch {
   std::array<T, 4> weights{};          ///< of the facet's nodes at the closest point
   Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface, as the slave sees it
   T depth{};                           ///< m, positive where the slave's sphere enters the surface
-  bool lost = false;                   ///< no contact, because the slave is deeper inside than the search margin
+  bool inside = false;                 ///< so is its centre
+  bool lost = false;                   ///< no contact, because the slave is deeper inside than it may be
   Reflection reflection{};             ///< in which the slave sees the facet
 };
 
@@ -25,7 +26,7 @@ template <class T> struct Touch {
 template <class T> struct NearestFacet {
   Index facet = -1;                  ///< -1: none is near
   FacetPoint<T> point{};             ///< closest to the slave
-  Vec3<T> outward = Vec3<T>::Zero(); ///< side of the surface there: its normal, or the sum of those that meet there
+  Vec3<T> outward = Vec3<T>::Zero(); ///< side of the surface there: its normal, or a sum of those that meet there
 
   /// True if `p` (m) lies outside.
   bool is_outside(const Vec3<T> &p) const { return outward.dot(p - point.position) >= T(0); }
@@ -53,10 +54,10 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     const bool as_near = !nearer && point.distance_squared <= best.distance_squared + tie;
     const bool at_same = as_near && (point.position - best.position).norm() < T(1e-6) * contact.facet_radius[f];
     const bool better = nearer || (as_near && alignment > best_alignment);
-    if (at_same)
-      outward += point.normal;
-    else if (better)
-      outward = point.normal;
+    if (contact.follows && (at_same || better)) {
+      const Vec3<T> normal = angle_weighted_normal(point, corner);
+      outward = at_same ? Vec3<T>(outward + normal) : normal;
+    }
     if (better) {
       best = point;
       best_alignment = alignment;
@@ -65,7 +66,12 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     }
   }
   // Where hexes have gone, edges and corners may be of any kind, and the normal of one facet does not tell the side.
-  return {facet, best, contact.follows ? outward : best.normal};
+  if (!contact.follows || facet < 0) return {facet, best, best.normal};
+  // The images of facets at a mirror plane take away what points across it.
+  const T near = T(1e-6) * contact.facet_radius[facet];
+  if (contact.symmetry.x && std::abs(best.position[0]) < near) outward[0] = T(0);
+  if (contact.symmetry.y && std::abs(best.position[1]) < near) outward[1] = T(0);
+  return {facet, best, outward};
 }
 
 /// How a slave touches the surface. At an edge or corner the direction is that from the surface to the slave, so that
@@ -74,7 +80,9 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   const Index slave = contact.active[a];
   const Vec3<T> p = on_model_side(contact, nodes, slave);
   const T offset = contact.present_offset.empty() ? contact.offset[slave] : contact.present_offset[slave];
-  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[slave] + contact.search_margin);
+  // One that began inside is lost if it gets deeper than there by as much as the others may.
+  const T deepest = contact.search_margin - std::min(offset, T(0));
+  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[slave] + deepest);
   const Index facet = nearest.facet;
   const FacetPoint<T> &best = nearest.point;
   if (facet < 0) return {};
@@ -83,7 +91,7 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   const bool outside = nearest.is_outside(p);
   const T depth = outside ? offset - distance : offset + distance;
   if (depth <= T(0)) return {};
-  if (!outside && distance > contact.search_margin) return {.lost = true};
+  if (!outside && distance > deepest) return {.lost = true};
   Vec3<T> direction = best.normal;
   if (distance > T(1e-3) * contact.facet_radius[facet]) direction = (outside ? T(1) : T(-1)) / distance * gap;
   const T near = T(1e-6) * contact.facet_radius[facet];
@@ -92,7 +100,7 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   const T length = direction.norm();
   if (length < T(0.1)) return {};
   const Reflection reflection = to_model_side(nodes.position[contact.slaves[slave]], contact.symmetry);
-  return {facet, best.weights, reflected<T>(direction / length, reflection), depth, false, reflection};
+  return {facet, best.weights, reflected<T>(direction / length, reflection), depth, !outside, false, reflection};
 }
 
 /// Velocity of the slave relative to the facet's point as the slave sees it, m/s. `touch` is a Touch or ContactForce.
@@ -118,12 +126,18 @@ ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &op
 }
 
 /// Mass that the penalty stiffness of slave `s` is made with, kg: the smaller of its own and the facet's at the point
-/// of contact, so that light facet nodes stay stable.
-template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
+/// of contact, so that light facet nodes stay stable. `touch` is a Touch or ContactForce.
+template <class T, class Touching> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touching &touch) {
   if (contact.master_mass.empty()) return contact.slave_mass[s];
   T facet_mass{};
   for (int c = 0; c < 4; ++c) facet_mass += touch.weights[c] * contact.master_mass[touch.facet][c];
   return std::min(contact.slave_mass[s], facet_mass);
+}
+
+/// True if a slave is inside that was not, or was on another side: it has not got there by its motion, which takes many
+/// steps, but a distorted surface cut through itself.
+template <class T> bool is_beyond_belief(const Touch<T> &touch, const ContactForce<T> &before) {
+  return touch.inside && (before.facet < 0 || before.normal.dot(touch.direction) < T(0));
 }
 
 /// Lets the offset of slave `a` of the active list grow towards its own, no faster than the slave leaves the surface:
@@ -157,11 +171,11 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     const ContactForce<T> before = contact.forces[s];
     ContactForce<T> now;
     if (!contact.present_offset.empty()) grow_offset(contact, nodes, a);
-    if (const Touch<T> touch = find_touch(contact, nodes, a); touch.lost) {
-      if (contact.options.may_bury)
-        contact.present_offset[s] = std::numeric_limits<T>::lowest();
-      else
-        now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
+    const Touch<T> touch = find_touch(contact, nodes, a);
+    if (contact.options.may_bury && (touch.lost || is_beyond_belief(touch, before))) {
+      contact.present_offset[s] = std::numeric_limits<T>::lowest();
+    } else if (touch.lost) {
+      now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
     } else if (touch.facet >= 0) {
       const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
       now =
