@@ -30,13 +30,14 @@ adaptive() { # name text [option]...
   echo "| $2 | $(number "adaptive_$1" initial_velocity_mps %.1f) | $(number "adaptive_$1" test_residual_velocity_mps %.1f) |" \
     "$(number "adaptive_$1" residual_velocity_mps %.1f) | $(number "adaptive_$1" plug_mass_g %.1f) |" \
     "$(number "adaptive_$1" failed_hexes %d), $(number "adaptive_$1" distorted_hexes %d) |" \
-    "$(number "adaptive_$1" dishing_mm %.2f) | $(number "adaptive_$1" hourglass_fraction %.2f 100) |" \
+    "$(number "adaptive_$1" dishing_mm %.2f), $(number "adaptive_$1" dishing_at_rest_mm %.2f) |" \
+    "$(number "adaptive_$1" hourglass_fraction %.2f 100) |" \
     "$(number "adaptive_$1" energy_error %.4f 100) | $(number "adaptive_$1" largest_intrusion_mm %.3f) |" \
     "$(number "adaptive_$1" cpu_s %.0f) |"
 }
 
 adaptive_tables() {
-  local head='| case | initial, m/s | test, m/s | computed, m/s | plug, g | hexes failed, distorted | dishing, mm | hourglass,'
+  local head='| case | initial, m/s | test, m/s | computed, m/s | plug, g | hexes failed, distorted | dishing at the end, at rest, mm | hourglass,'
   head+=' % of energy | energy error, % | intrusion, mm | processor, s |'
   echo 'Hexes that turn into particles, the plate that ℓ was chosen on, 12 mm, hexes of 0.6 mm:'
   echo
@@ -58,11 +59,22 @@ adaptive_tables() {
   echo "$head"
   echo '|---|---|---|---|---|---|---|---|---|---|---|'
   local size
-  for size in 1.2 0.8 0.6; do
+  for size in 1.2 0.8 0.6 0.45; do
     local name=_${size}mm
     [ "$size" = 0.6 ] && name=
     adaptive "12mm_244.2$name" "12 mm, hexes of $size mm" --velocity-mps 244.2 --spacing-mm "$size"
     adaptive "6mm_160$name" "6 mm, hexes of $size mm" --thickness-mm 6 --velocity-mps 160 --spacing-mm "$size"
+  done
+  for size in 1.2 0.8; do
+    adaptive "12mm_181.5_${size}mm_settled" "12 mm, hexes of $size mm, 2 ms more" --velocity-mps 181.5 \
+      --spacing-mm "$size" --settle-us 2000
+  done
+  local exponent
+  for exponent in 0 1; do
+    for size in 1.2 0.8; do
+      adaptive "12mm_244.2_${size}mm_exponent_$exponent" "12 mm, hexes of $size mm, exponent $exponent" \
+        --velocity-mps 244.2 --spacing-mm "$size" --damage-length-exponent "$exponent"
+    done
   done
 }
 

@@ -47,9 +47,15 @@ template <class F> void for_each_field(Course &c, F &&f) {
   f(c.wall_s), f(c.cpu_s), f(c.writing_s), f(c.frames), f(c.frame_files), f(c.history);
 }
 
+/// Calls `f(value)` for each value of a swing.
+template <class F> void for_each_field(Swing &swing, F &&f) {
+  f(swing.begun_us), f(swing.until_us), f(swing.dishing_mm), f(swing.integral_mm_us);
+}
+
 /// Calls `f(value)` for each value of a shot that grows during the run. The rest is known at its start or its end.
 template <class F> void for_each_field(Shot &shot, F &&f) {
-  f(shot.flight), f(shot.intrusion_mm), f(shot.hourglass_fraction), f(shot.energy_error), f(shot.momentum_error);
+  f(shot.flight), f(shot.swing), f(shot.intrusion_mm), f(shot.hourglass_fraction), f(shot.energy_error),
+      f(shot.momentum_error);
 }
 
 } // namespace perforate

@@ -207,6 +207,8 @@ double default_damage_length_mm(Method method) {
   return method == Method::sfm ? 0 : std::round(ogive::length_of_damage(method) * 1e6) / 1e3;
 }
 
+double default_length_exponent(Method method) { return ogive::length_exponent_of_damage(method); }
+
 FailureEffect default_failure(DamageLaw damage) {
   return damage == DamageLaw::none ? FailureEffect::none : FailureEffect::no_tension;
 }
@@ -276,6 +278,8 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
   if (options.damage != DamageLaw::none) {
     if (!origins.contains("damage_softening")) options.damage_softening = default_softening(options.method);
     if (!origins.contains("damage_length_mm")) options.damage_length_mm = default_damage_length_mm(options.method);
+    if (!origins.contains("damage_length_exponent"))
+      options.damage_length_exponent = default_length_exponent(options.method);
   }
   if (!origins.contains("control_stiffness")) options.control_stiffness = default_control_stiffness(options.method);
   if (!origins.contains("failure")) options.failure = default_failure(options.damage);

@@ -54,6 +54,7 @@ struct Options {
   FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
   double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
   double damage_length_mm = 0;                 ///< parse() takes default_damage_length_mm() where none is given
+  double damage_length_exponent = 1;           ///< parse() takes default_length_exponent() where none is given
   double thickness_mm = 12;                    ///< of several plates the sum
   std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
   std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
@@ -70,6 +71,7 @@ struct Options {
   ProjectileKind projectile = ProjectileKind::deformable;
   double velocity_mps = 303.5;
   double friction = 0; ///< Coulomb; parse() takes default_friction() where none is given
+  double settle_us = 0;
   double end_us = 500; ///< parse() takes default_end_us() where none is given
 
   double spacing_mm = 0.6;
@@ -127,6 +129,9 @@ double default_control_stiffness(Method method);
 
 /// Particle distance for which the constants of damage hold unless the user says so, mm.
 double default_damage_length_mm(Method method);
+
+/// With which exponent failure strains follow the particle distance unless the user says so.
+double default_length_exponent(Method method);
 
 /// What failure does unless the user says so: no tension where damage grows. Our choice.
 FailureEffect default_failure(DamageLaw damage);

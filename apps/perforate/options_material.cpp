@@ -127,6 +127,7 @@ std::vector<AnyMetal> plates_of(const Options &o) {
           metal.damage.effect = o.failure;
           metal.damage.softening = o.damage_softening;
           metal.damage.length = o.damage_length_mm * 1e-3;
+          metal.damage.length_exponent = o.damage_length_exponent;
         },
         any);
   return plates;

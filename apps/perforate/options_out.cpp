@@ -14,7 +14,7 @@ namespace {
 /// checkpoints are there while the new one is written.
 double estimated_bytes(const Options &o) {
   constexpr double fixed = 4e6, per_particle_and_frame = 120, per_particle_of_checkpoint = 600;
-  const double time_us = std::max(0.0, o.end_us - (o.restart ? o.restart->time_us : 0));
+  const double time_us = std::max(0.0, o.end_us + o.settle_us - (o.restart ? o.restart->time_us : 0));
   const double frames = o.vtk ? time_us / o.output_every_us + 2 : 1;
   return fixed + (frames * per_particle_and_frame + 2 * per_particle_of_checkpoint) * estimated_particles(o);
 }

@@ -152,6 +152,13 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "0, 0.56 with --method stabilised, 0.6 with --method adaptive: ours",
           {0, 100, "mm"}},
     o.damage_length_mm);
+  f(Entry{plate,
+          "damage_length_exponent",
+          "of --damage-length-mm over the particle distance in failure strains; 1 keeps the displacement that breaks a "
+          "band, 0 the strain",
+          "1, 0.5 with --method adaptive: ours",
+          {0, 2, ""}},
+    o.damage_length_exponent);
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);
   f(Entry{plate,
           "layers_mm",
@@ -254,6 +261,14 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "500 blunt, else 1500; most runs end by themselves: ours",
           {1, 100000, "us"}},
     o.end_us);
+  f(Entry{run,
+          "settle_us",
+          "time for which the run goes on once the shot is decided: the plate swings, and dishing_at_rest_mm is the "
+          "mean "
+          "over that time",
+          "0: none",
+          {0, 100000, "us"}},
+    o.settle_us);
   f(Entry{run, "out", "folder for the results", "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps"}, o.out);
   f(Entry{run, "output_every_us", "time between two frames", "ours", {0.5, 100000, "us"}}, o.output_every_us);
   f(Entry{run,

@@ -28,6 +28,12 @@ bool perforated(const Shot &shot) {
   return through && last.velocity > 5e-3 * flight.initial_velocity;
 }
 
+std::optional<double> dishing_at_rest_mm(const Shot &shot) {
+  const double time_us = shot.swing.until_us - shot.swing.begun_us;
+  if (shot.swing.begun_us < 0 || !(time_us > 0)) return std::nullopt;
+  return shot.swing.integral_mm_us / time_us;
+}
+
 double residual_mps(const Shot &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
 
 Shot shoot(const Options &options, const std::vector<material_file::AnyMetal> &plates) {
@@ -165,6 +171,7 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["plug_mass_g"] = s.fragments.plug_mass * 1e3;
   j["plug_velocity_mps"] = s.fragments.plug_velocity;
   if (s.layers.size() == 1) add_shape(j, s.layers.front().shape);
+  if (const auto rest = dishing_at_rest_mm(s)) j["dishing_at_rest_mm"] = *rest;
   j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
   j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
   j["failed_particles"] = s.fragments.failed;
@@ -260,6 +267,8 @@ void print_table(const Options &o, const Shot &s, const std::optional<experiment
                 static_cast<long>(s.fragments.failed), o.method == Method::adaptive ? "hexes" : "particles");
   if (s.distorted_hexes > 0)
     std::printf("  %-22s %ld of them before they failed\n", "too distorted", s.distorted_hexes);
+  if (const auto rest = dishing_at_rest_mm(s))
+    std::printf("  %-22s %.2f mm at rest, mean over %.0f us\n", "dishing", *rest, s.swing.until_us - s.swing.begun_us);
   std::printf("  %-22s %.4f %%\n", "largest energy error", s.energy_error * 100);
   std::printf("  %-22s %.1e\n", "momentum error", s.momentum_error);
   std::printf("  %-22s %.3f mm\n", "deepest intrusion", s.intrusion_mm);

@@ -68,6 +68,16 @@ void take_look(const M &now, const ogive::Energy<double> &e, const ogive::Projec
   course.history.insert(course.history.end(), row.begin(), row.end());
 }
 
+/// Adds a look at the plate's dishing to its swing (trapezoidal rule).
+inline void add_look(Swing &swing, double time_us, double dishing_mm) {
+  if (swing.begun_us < 0)
+    swing.begun_us = time_us;
+  else
+    swing.integral_mm_us += 0.5 * (time_us - swing.until_us) * (swing.dishing_mm + dishing_mm);
+  swing.until_us = time_us;
+  swing.dishing_mm = dishing_mm;
+}
+
 /// "weldox_460e", or "weldox_460e + aa5083_h116".
 template <class Law> std::string name_of(const std::vector<ogive::Metal<double, Law>> &plates) {
   std::string names = plates.front().name;
@@ -118,6 +128,7 @@ Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, L
     if (options.vtk) writing([&] { add_frame(files, course, ogive::gather_frame(model)); });
     course.last_frame_us = model.time * 1e6;
   };
+  const double longest_us = options.end_us + options.settle_us;
   const auto observe = [&](const auto &now, const ogive::Energy<double> &e) {
     take_look(now, e, shape, shot, course, files);
     if (now.time * 1e6 >= course.next_frame_us) {
@@ -125,11 +136,15 @@ Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, L
       shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(now) * 1e3);
       course.next_frame_us += options.output_every_us;
     }
-    show(progress, now.time * 1e6, options.end_us, shot.flight.samples.back().velocity, now.steps);
-    return shot.flight.state == ogive::FlightState::in_progress;
+    const double time_us = now.time * 1e6;
+    show(progress, time_us, longest_us, shot.flight.samples.back().velocity, now.steps);
+    if (shot.flight.state == ogive::FlightState::in_progress && time_us < options.end_us * (1 - 1e-12)) return true;
+    if (options.settle_us == 0) return shot.flight.state == ogive::FlightState::in_progress;
+    add_look(shot.swing, time_us, ogive::dishing_of(now, undeformed.front(), shape.diameter / 2) * 1e3);
+    return time_us - shot.swing.begun_us < options.settle_us;
   };
   ogive::RunOptions<double> run_options;
-  run_options.end_time = options.end_us * 1e-6;
+  run_options.end_time = longest_us * 1e-6;
   const auto pause = [&](const auto &now, const auto &run) {
     shot.interrupted_by = caught_signal();
     course.wall_s = elapsed_s(progress);
@@ -146,7 +161,7 @@ Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, L
   const auto result = ogive::run(model, run_options, state, observe, pause);
   shot.loop_s = elapsed_s(progress) - course.writing_s;
   if (course.last_frame_us < model.time * 1e6) write_frame();
-  show(progress, model.time * 1e6, options.end_us, shot.flight.samples.back().velocity, model.steps, true);
+  show(progress, model.time * 1e6, longest_us, shot.flight.samples.back().velocity, model.steps, true);
 
   shot.reason = result.reason;
   shot.fault = result.fault;

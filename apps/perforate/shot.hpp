@@ -34,6 +34,14 @@ struct LayerResult {
   ogive::PlateShape<double> shape;
 };
 
+/// The plate's swing after the shot has been decided, of the first plate.
+struct Swing {
+  double begun_us = -1;      ///< when it was decided; -1: not yet
+  double until_us = 0;       ///< of the last look
+  double dishing_mm = 0;     ///< then
+  double integral_mm_us = 0; ///< of the dishing since it was decided
+};
+
 /// Everything that a finished shot tells.
 struct Shot {
   std::string material; ///< name of the plate's metal; of several "first + second + ..." if they differ
@@ -47,6 +55,7 @@ struct Shot {
   long failed_hexes = 0;              ///< of the computed part, turned into particles
   long distorted_hexes = 0;           ///< likewise, before they failed
   long buried_particles = 0;          ///< of the computed part, that overlap hexes at the end
+  Swing swing;                        ///< for --settle-us
   double intrusion_mm = 0;            ///< deepest over the frames: particle behind the projectile's surface
   double hourglass_fraction = 0;      ///< of the initial energy, at the end
   double energy_error = 0;            ///< largest over the run, of the initial energy
@@ -68,6 +77,9 @@ bool perforated(const Shot &shot);
 
 /// Residual velocity in m/s, 0 unless perforated.
 double residual_mps(const Shot &shot);
+
+/// Mean dishing of the first plate over the time of --settle-us, mm; none without.
+std::optional<double> dishing_at_rest_mm(const Shot &shot);
 
 /// Runs the case with these metals (of plates_of()) as the plates, from the start or from the checkpoint of the
 /// options, and writes history, VTK files and checkpoints into `options.out`. Throws SetupError for a case that cannot

@@ -68,6 +68,11 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(stabilised.failure == perforate::FailureEffect::no_tension);
   CHECK(stabilised.damage_softening == 0.3);
   CHECK(stabilised.damage_length_mm == 0.56);
+  CHECK(stabilised.damage_length_exponent == 1);
+  const Options adaptive = options_of({"--method", "adaptive"});
+  CHECK(adaptive.damage_length_mm == 0.6);
+  CHECK(adaptive.damage_length_exponent == 0.5);
+  std::visit([](const auto &metal) { CHECK(metal.damage.length_exponent == 0.5); }, perforate::plate_of(adaptive));
   CHECK(stabilised.control_stiffness == 0.3);
   CHECK(stabilised.out == "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps_stabilised");
   std::visit([](const auto &metal) { CHECK(metal.damage.softening == 0.3); }, perforate::plate_of(stabilised));

@@ -184,6 +184,7 @@ TEST_CASE("case.toml runs the same case again") {
   all.damage = perforate::DamageLaw::cockcroft_latham;
   all.damage_softening = 0.25;
   all.damage_length_mm = 0.7;
+  all.damage_length_exponent = 0.6;
   all.failure = perforate::FailureEffect::removal;
   all.thickness_mm = 25.1;
   all.clamp_radius_mm = 100.0 + 1.0 / 3;
@@ -192,6 +193,7 @@ TEST_CASE("case.toml runs the same case again") {
   all.velocity_mps = 1000.0 / 7;
   all.friction = 1.0 / 30;
   all.end_us = 100000;
+  all.settle_us = 2500.5;
   all.spacing_mm = 2.0 / 3;
   all.sph_radius_mm = 30;
   all.extent = perforate::Extent::half;

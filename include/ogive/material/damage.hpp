@@ -31,15 +31,17 @@ template <class T> struct Damage {
   FailureStrain<T> failure_strain{};          ///< of the Johnson-Cook law
   T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa
   T softening = T(0);                         ///< Dc: the flow stress is multiplied by 1 - Dc D (Boervik et al. 2001)
-  T length = T(0); ///< particle distance for which the constants hold, m, see regularised(); 0: for any
+  T length = T(0);          ///< particle distance for which the constants hold, m, see regularised(); 0: for any
+  T length_exponent = T(1); ///< how failure strains follow other distances: 1 keeps the displacement, 0 the strain
 };
 
 /// The damage of a body of particles `spacing` (m) apart. A band of localised shear is as wide as some particle
-/// distances, however fine they are, so that the same displacement means more strain in finer ones: failure strain and
-/// critical work are multiplied by length/spacing, and the displacement that breaks a band stays.
+/// distances, however fine they are, so that the same displacement means more strain in finer ones; metal that
+/// stretches around it has the same strain in any. Failure strain and critical work are multiplied by
+/// (length/spacing)^exponent.
 template <class T> Damage<T> regularised(Damage<T> damage, T spacing) {
   if (damage.length > T(0)) {
-    const T finer = damage.length / spacing;
+    const T finer = std::pow(damage.length / spacing, damage.length_exponent);
     damage.failure_strain.D1 *= finer, damage.failure_strain.D2 *= finer, damage.critical_work *= finer;
   }
   return damage;

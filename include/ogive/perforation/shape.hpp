@@ -28,6 +28,21 @@ template <class M> auto disc_positions(const M &model, std::size_t layer = 0) {
   return std::vector(x.begin() + range.begin, x.begin() + range.end);
 }
 
+/// Mean deflection of a plate's disc now at radii of 1.4 to 1.6 times `radius` (m) of the projectile, m, positive in
+/// the direction of flight. `undeformed` are the positions before, m.
+template <class M, class T>
+T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, std::size_t layer = 0) {
+  const auto &body = disc(model, layer);
+  T sum{}, weight{};
+  for (Index i = 0; i < body.points.size(); ++i) {
+    const Vec3<T> &x0 = undeformed[i];
+    if (!(std::abs(std::hypot(x0[0], x0[1]) - T(1.5) * radius) < T(0.1) * radius)) continue;
+    sum += body.point_mass[i] * (x0[2] - plate_cell(model, i, layer).position[2]);
+    weight += body.point_mass[i];
+  }
+  return weight > T(0) ? sum / weight : T(0);
+}
+
 /// A plate's shape now, from its particles or hexes and their undeformed positions (m), for a projectile of this radius
 /// (m) and a plate that lies where `plate` says.
 template <class M, class T>
@@ -41,7 +56,7 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
     void add(T value, T w) { sum += w * value, weight += w; }
     T value() const { return weight > T(0) ? sum / weight : T(0); }
   };
-  Mean front, rear, deflection, kept, band, core;
+  Mean front, rear, kept, band, core;
   PlateShape<T> shape;
   for (Index i = 0; i < body.points.size(); ++i) {
     const auto [x, velocity, temperature] = plate_cell(model, i, layer);
@@ -52,7 +67,6 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
       if (x0[2] > -plate.front - spacing) front.add(x[2], mass);
       if (x0[2] < spacing - rear_face) rear.add(x[2], mass);
     }
-    if (std::abs(r - T(1.5) * radius) < T(0.1) * radius) deflection.add(x0[2] - x[2], mass);
     if (r < radius) kept.add(hangs ? T(1) : T(0), mass);
     if (hangs) shape.petal_height = std::max(shape.petal_height, -x[2] - rear_face + spacing / T(2));
     if (std::abs(r - radius) < spacing) band.add(temperature, mass);
@@ -60,7 +74,7 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
     shape.most_temperature = std::max(shape.most_temperature, temperature);
   }
   if (front.weight > T(0) && rear.weight > T(0)) shape.plug_thickness = front.value() - rear.value() + spacing;
-  shape.dishing = deflection.value();
+  shape.dishing = dishing_of(model, undeformed, radius, layer);
   shape.kept_fraction = kept.value();
   shape.band_temperature = band.value();
   shape.core_temperature = core.value();
