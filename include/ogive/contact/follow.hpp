@@ -45,30 +45,6 @@ template <class T> Index count_buried(const NodeToSurface<T> &contact) {
   return buried;
 }
 
-/// True if the centre of slave `s` is behind the surface: its force is that of a depth beyond its offset.
-template <class T> bool is_centre_inside(const NodeToSurface<T> &contact, Index s) {
-  const ContactForce<T> &c = contact.forces[s];
-  if (c.facet < 0) return false;
-  const T stiffness = contact.options.stiffness * penalty_mass(contact, s, c) /
-                      (contact.reference_time_step * contact.reference_time_step);
-  return c.normal.norm() > stiffness * contact.offset[s];
-}
-
-/// Slaves between this surface and that of `other` that are pressed into the latter until their centre is inside: they
-/// give way on this side, where they overlap from now on, as if they had begun there. The slaves of the contact are
-/// nodes one behind the other.
-template <class T>
-void give_way(NodeToSurface<T> &contact, const NodeToSurface<T> &other, const Nodes<T> &nodes, T dt) {
-  for (Index a = 0; a < static_cast<Index>(other.slaves.size()); ++a) {
-    if (other.forces[a].facet < 0) continue;
-    const Index s = other.slaves[a] - contact.slaves.front();
-    if (s < 0 || s >= static_cast<Index>(contact.slaves.size()) || contact.forces[s].facet < 0) continue;
-    if (!is_centre_inside(other, a)) continue;
-    settle(contact, nodes, s, dt);
-    contact.present_offset[s] = std::numeric_limits<T>::lowest();
-  }
-}
-
 /// Takes other facets; forces begin anew on them.
 template <class T>
 void follow_surface(NodeToSurface<T> &contact, const Nodes<T> &nodes, std::vector<Facet> facets, T dt) {

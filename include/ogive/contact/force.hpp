@@ -17,7 +17,6 @@ template <class T> struct Touch {
   std::array<T, 4> weights{};          ///< of the facet's nodes at the closest point
   Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface, as the slave sees it
   T depth{};                           ///< m, positive where the slave's sphere enters the surface
-  bool inside = false;                 ///< so is its centre
   bool lost = false;                   ///< no contact, because the slave is deeper inside than it may be
   Reflection reflection{};             ///< in which the slave sees the facet
 };
@@ -100,7 +99,7 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   const T length = direction.norm();
   if (length < T(0.1)) return {};
   const Reflection reflection = to_model_side(nodes.position[contact.slaves[slave]], contact.symmetry);
-  return {facet, best.weights, reflected<T>(direction / length, reflection), depth, !outside, false, reflection};
+  return {facet, best.weights, reflected<T>(direction / length, reflection), depth, false, reflection};
 }
 
 /// Velocity of the slave relative to the facet's point as the slave sees it, m/s. `touch` is a Touch or ContactForce.
@@ -126,18 +125,12 @@ ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &op
 }
 
 /// Mass that the penalty stiffness of slave `s` is made with, kg: the smaller of its own and the facet's at the point
-/// of contact, so that light facet nodes stay stable. `touch` is a Touch or ContactForce.
-template <class T, class Touching> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touching &touch) {
+/// of contact, so that light facet nodes stay stable.
+template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
   if (contact.master_mass.empty()) return contact.slave_mass[s];
   T facet_mass{};
   for (int c = 0; c < 4; ++c) facet_mass += touch.weights[c] * contact.master_mass[touch.facet][c];
   return std::min(contact.slave_mass[s], facet_mass);
-}
-
-/// True if a slave is inside that was not, or was on another side: it has not got there by its motion, which takes many
-/// steps, but a distorted surface cut through itself.
-template <class T> bool is_beyond_belief(const Touch<T> &touch, const ContactForce<T> &before) {
-  return touch.inside && (before.facet < 0 || before.normal.dot(touch.direction) < T(0));
 }
 
 /// Lets the offset of slave `a` of the active list grow towards its own, no faster than the slave leaves the surface:
@@ -171,11 +164,11 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     const ContactForce<T> before = contact.forces[s];
     ContactForce<T> now;
     if (!contact.present_offset.empty()) grow_offset(contact, nodes, a);
-    const Touch<T> touch = find_touch(contact, nodes, a);
-    if (contact.options.may_bury && (touch.lost || is_beyond_belief(touch, before))) {
-      contact.present_offset[s] = std::numeric_limits<T>::lowest();
-    } else if (touch.lost) {
-      now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
+    if (const Touch<T> touch = find_touch(contact, nodes, a); touch.lost) {
+      if (contact.options.may_bury)
+        contact.present_offset[s] = std::numeric_limits<T>::lowest();
+      else
+        now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
     } else if (touch.facet >= 0) {
       const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
       now =

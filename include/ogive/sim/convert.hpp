@@ -159,9 +159,6 @@ std::vector<Facet> surface_of(const Conversion<T> &conversion, const Particles &
 template <class T, class... Bodies> void convert(Conversion<T> &conversion, Model<T, Bodies...> &model) {
   if (model.steps % conversion.options.every != 0) return;
   Nodes<T> &nodes = model.nodes;
-  NodeToSurface<T> &surface = model.contacts[conversion.surface];
-  for (const auto &contact : model.contacts)
-    if (&contact != &surface) give_way(surface, contact, nodes, model.last_step);
   with_bodies(model, conversion, [&](auto &particles, auto &hexes) {
     enum Verdict : char { stays, failed, distorted };
     std::vector<Verdict> verdicts(particles.points.size(), stays);
@@ -184,7 +181,8 @@ template <class T, class... Bodies> void convert(Conversion<T> &conversion, Mode
     particles.neighbours.built_at.clear();
     for (auto &contact : model.contacts)
       if (contact.follows) follow_slaves(contact, nodes, model.last_step);
-    follow_surface(surface, nodes, surface_of(conversion, particles, hexes), model.last_step);
+    follow_surface(model.contacts[conversion.surface], nodes, surface_of(conversion, particles, hexes),
+                   model.last_step);
   });
 }
 
