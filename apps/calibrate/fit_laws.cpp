@@ -107,9 +107,9 @@ Results fitted(const Options &o, std::vector<ogive::StressCurve> curves, std::ve
       results.messages.push_back(long_name(form) + " is not compared: " + error.what());
     }
   }
-  if (o.C || o.b) results.messages.push_back("given values of C and b are taken for all laws, without error");
+  if (o.C || o.b) results.messages.emplace_back("given values of C and b are taken for all laws, without error");
   if (results.chosen.steps.law.C <= 0)
-    results.messages.push_back("C is not positive: the faster tests are not stronger than the quasi-static one");
+    results.messages.emplace_back("C is not positive: the faster tests are not stronger than the quasi-static one");
   return results;
 }
 

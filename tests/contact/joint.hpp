@@ -25,8 +25,8 @@ struct Joint {
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 7; ++j)
         for (int k = 0; k < 7; ++k) {
-          layout.positions.push_back(V(3e-3, 0.1e-3, 0.1e-3) +
-                                     spacing * (V(i + 0.6, j + 0.5, k + 0.5) + 0.1 * noise.vector()));
+          layout.positions.emplace_back(V(3e-3, 0.1e-3, 0.1e-3) +
+                                        spacing * (V(i + 0.6, j + 0.5, k + 0.5) + 0.1 * noise.vector()));
           layout.volumes.push_back(std::pow(spacing, 3));
         }
     const auto mesh = fem_test::distorted_brick(3, 1e-3, 0.08);

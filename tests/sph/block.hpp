@@ -18,8 +18,8 @@ inline ParticleLayout<double> block(int nx, int ny, int nz, double jitter, doubl
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
-        layout.positions.push_back({(i + 0.5) * spacing + shift(random), (j + 0.5) * spacing + shift(random),
-                                    (k + 0.5) * spacing + shift(random)});
+        layout.positions.emplace_back((i + 0.5) * spacing + shift(random), (j + 0.5) * spacing + shift(random),
+                                      (k + 0.5) * spacing + shift(random));
         layout.volumes.push_back(spacing * spacing * spacing);
       }
   return layout;

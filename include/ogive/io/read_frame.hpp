@@ -127,7 +127,7 @@ inline vtkSmartPointer<vtkUnstructuredGrid> read_vtu(const std::filesystem::path
   require_readable(path, ".vtu file");
   const QuietVtk quiet;
   try {
-    if (const auto grid = parse_vtu(path)) return grid;
+    if (auto grid = parse_vtu(path)) return grid;
   } catch (const std::bad_alloc &) {
     // A damaged length of data.
   }
@@ -139,7 +139,7 @@ inline std::vector<Vec3<float>> positions_of(vtkUnstructuredGrid *grid) {
   for (vtkIdType n = 0; n < grid->GetNumberOfPoints(); ++n) {
     std::array<double, 3> x{};
     grid->GetPoint(n, x.data());
-    positions.push_back((1e-3 * Vec3<double>(x[0], x[1], x[2])).cast<float>());
+    positions.emplace_back((1e-3 * Vec3<double>(x[0], x[1], x[2])).cast<float>());
   }
   return positions;
 }
