@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <ranges>
 
 namespace section {
 
@@ -34,7 +35,7 @@ std::vector<Point> outline(const Shape &shape) {
     upper.push_back({1e3 * (whole - behind_tip), 1e3 * radius_at(shape, behind_tip)});
   }
   std::vector<Point> all = upper;
-  for (auto point = upper.rbegin(); point != upper.rend(); ++point) all.push_back({(*point)[0], -(*point)[1]});
+  for (const Point &point : std::views::reverse(upper)) all.push_back({point[0], -point[1]});
   return all;
 }
 
