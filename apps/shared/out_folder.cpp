@@ -6,6 +6,7 @@
 #include "ogive/io/atomic_file.hpp"
 
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 namespace input {
@@ -63,7 +64,7 @@ std::vector<fs::path> prepare_out(const fs::path &out, double bytes, const char 
 
 void remove_empty(const std::vector<fs::path> &folders) {
   std::error_code ignored;
-  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) fs::remove(*folder, ignored);
+  for (const fs::path &folder : std::views::reverse(folders)) fs::remove(folder, ignored);
 }
 
 } // namespace input

@@ -109,7 +109,7 @@ TEST_CASE("plates in a file, and files of their metals beside it") {
   write(file, perforate::to_toml(options_of({"--thickness-mm", "8"})));
   CHECK(options_of({"--config", file.c_str(), "--layers-mm", "4,4"}).layers_mm == Numbers{4, 4});
 
-  CHECK(refused("layers_mm = \"4,8\"\nout = \"a\"\n") == "");
+  CHECK(refused("layers_mm = \"4,8\"\nout = \"a\"\n").empty());
   CHECK_THAT(refused("layers_mm = [4, \"8\"]\n"), Catch::Contains(":1: layers_mm = \"8\": must be a number"));
   CHECK_THAT(refused("layers_mm = [4, [8]]\n"), Catch::Contains(":1: layers_mm = an array: must be a number"));
   CHECK_THAT(refused("layers_mm = []\n"), Catch::Contains(":1: layers_mm = : must be 1 to 8 thicknesses"));

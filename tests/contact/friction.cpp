@@ -82,7 +82,7 @@ TEST_CASE("reactions oppose the forces on the slaves", "[contact]") {
     const Surface block = add_surface(nodes, fem_test::distorted_brick(3, 1e-3, 0.2));
     Noise noise{99};
     std::vector<V> around;
-    for (int i = 0; i < 300; ++i) around.push_back(V::Constant(1.5e-3) + 2.2e-3 * noise.vector());
+    for (int i = 0; i < 300; ++i) around.emplace_back(V::Constant(1.5e-3) + 2.2e-3 * noise.vector());
     const NodeRange slaves = add_free(nodes, around, mass);
     for (V &v : nodes.velocity) v = 50 * noise.vector();
     auto contact = contact_of(nodes, slaves, offset, block.facets, {.friction = friction});

@@ -81,7 +81,7 @@ TEST_CASE("no slave passes through a flat face, an edge or a cone at speed", "[c
   std::vector<V> cloud; // a disc of three layers below z = 0, not aligned with any mesh
   for (int k = 0; k < 3; ++k)
     for (int j = -12; j <= 12; ++j)
-      for (int i = -12; i <= 12; ++i) cloud.push_back(spacing * V(i + 0.31 + 0.2 * (k % 2), j + 0.17, -k - 0.55));
+      for (int i = -12; i <= 12; ++i) cloud.emplace_back(spacing * V(i + 0.31 + 0.2 * (k % 2), j + 0.17, -k - 0.55));
   SECTION("flat face and the rim around it") {
     const auto mesh = projectile_mesh(paper_projectile<double>(Nose::blunt), spacing, Extent::full);
     const Passage p = drive_through(mesh, cloud, 6e-3);

@@ -104,7 +104,7 @@ TEST_CASE("the pressure grows with the depth as asked for, and hardly shows the 
       sum -= stack.nodes.force[n][2];
       ++columns;
     }
-    return sum / (columns / 4 * spacing * spacing);
+    return sum / (0.25 * columns * spacing * spacing);
   };
   const double depth = 0.03 * spacing;
   CHECK(pressure_at(V::Zero(), 0.002 * spacing) == Approx(Stack::modulus * 0.002).epsilon(0.03));

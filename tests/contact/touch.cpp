@@ -126,7 +126,7 @@ TEST_CASE("a slave that was pushed across mirror planes feels the surface as its
     add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
     Result r{.force = t.nodes.force[t.contact.slaves[0]],
              .work = normal_energy(t.contact) + friction_energy(t.contact)};
-    for (V f : t.nodes.force) r.reaction += f;
+    for (const V &f : t.nodes.force) r.reaction += f;
     r.reaction -= r.force;
     return r;
   };
@@ -165,7 +165,7 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
   const Surface cube = add_surface(nodes, brick<double>(2, 2, 2, V::Constant(2 * edge)));
   Noise noise;
   std::vector<V> start;
-  for (int i = 0; i < 60; ++i) start.push_back(V::Constant(edge) + 2 * edge * noise.vector());
+  for (int i = 0; i < 60; ++i) start.emplace_back(V::Constant(edge) + 2 * edge * noise.vector());
   const NodeRange slaves = add_free(nodes, start, 1e-3);
   auto kept = contact_of(nodes, slaves, offset, cube.facets);
   int touching = 0;
