@@ -72,7 +72,8 @@ TEST_CASE("the forces do not depend on the number of threads", "[fem]") {
     for (auto &v : s.nodes.velocity) v = 100 * noise.vector();
     const double dt = stable_time_step(s.body, s.nodes);
     for (int i = 0; i < 3; ++i) step(s, dt);
-    s.nodes.force.emplace_back(V::Constant(hourglass_energy(s.body) + internal_energy(s.body) + viscous_energy(s.body)));
+    s.nodes.force.emplace_back(
+        V::Constant(hourglass_energy(s.body) + internal_energy(s.body) + viscous_energy(s.body)));
     return s.nodes.force;
   };
   const int before = omp_get_max_threads();
