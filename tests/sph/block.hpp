@@ -18,8 +18,10 @@ inline ParticleLayout<double> block(int nx, int ny, int nz, double jitter, doubl
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
-        layout.positions.emplace_back((i + 0.5) * spacing + shift(random), (j + 0.5) * spacing + shift(random),
-                                      (k + 0.5) * spacing + shift(random));
+        // One after another: arguments of a function have no order.
+        const double x = (i + 0.5) * spacing + shift(random), y = (j + 0.5) * spacing + shift(random),
+                     z = (k + 0.5) * spacing + shift(random);
+        layout.positions.emplace_back(x, y, z);
         layout.volumes.push_back(spacing * spacing * spacing);
       }
   return layout;
