@@ -70,9 +70,9 @@ struct Options {
   double obliquity_deg = 0;       ///< between the line of flight and the plate's axis
   ProjectileKind projectile = ProjectileKind::deformable;
   double velocity_mps = 303.5;
-  double friction = 0; ///< Coulomb; parse() takes default_friction() where none is given
-  double settle_us = 0;
-  double end_us = 500; ///< parse() takes default_end_us() where none is given
+  double friction = 0;  ///< Coulomb; parse() takes default_friction() where none is given
+  double settle_us = 0; ///< after the shot is decided
+  double end_us = 500;  ///< parse() takes default_end_us() where none is given
 
   double spacing_mm = 0.6;
   double sph_radius_mm = 24;

@@ -263,9 +263,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
     o.end_us);
   f(Entry{run,
           "settle_us",
-          "time for which the run goes on once the shot is decided: the plate swings, and dishing_at_rest_mm is the "
-          "mean "
-          "over that time",
+          "time to go on once the shot is decided: the plate swings, dishing_at_rest_mm is its mean over that time",
           "0: none",
           {0, 100000, "us"}},
     o.settle_us);

@@ -138,8 +138,8 @@ Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, L
     }
     const double time_us = now.time * 1e6;
     show(progress, time_us, longest_us, shot.flight.samples.back().velocity, now.steps);
-    if (shot.flight.state == ogive::FlightState::in_progress && time_us < options.end_us * (1 - 1e-12)) return true;
-    if (options.settle_us == 0) return shot.flight.state == ogive::FlightState::in_progress;
+    const bool in_progress = shot.flight.state == ogive::FlightState::in_progress;
+    if (options.settle_us == 0 || (in_progress && time_us < options.end_us * (1 - 1e-12))) return in_progress;
     add_look(shot.swing, time_us, ogive::dishing_of(now, undeformed.front(), shape.diameter / 2) * 1e3);
     return time_us - shot.swing.begun_us < options.settle_us;
   };

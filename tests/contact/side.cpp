@@ -4,6 +4,7 @@
 
 #include "ogive/fem/exposed_facets.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,7 +40,7 @@ Rubble rubble(std::uint32_t seed, SymmetryPlanes planes, bool half) {
   constexpr Index n = 4;
   const double edge = 1e-3;
   Rubble r;
-  auto mesh = fem_test::distorted_brick(n, edge, 0.2, seed);
+  auto mesh = fem_test::distorted_brick(n, edge, 0.35, seed);
   if (half) // its middle plane is a mirror plane
     for (V &p : mesh.positions) p[0] = std::abs(p[0]) < 0.5 * edge ? 0.0 : p[0];
   Noise noise{seed + 1};

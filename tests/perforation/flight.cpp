@@ -44,6 +44,12 @@ TEST_CASE("a blunt shot is perforated once its velocity is steady and the plug l
   CHECK(residual_velocity(flight) == 200);
   CHECK(flight.samples.back().time == Approx(60e-6)); // 10 us after the velocity came to rest
   CHECK_FALSE(flight.velocity_at_tail);
+  // Who goes on to watch the plate changes no conclusion, and does not look for the plug again.
+  record(flight, {61e-6, -100, 0, 0, 0}, [] {
+    FAIL("concluded already");
+    return false;
+  });
+  CHECK(flight.state == FlightState::perforated);
 
   auto stuck = flight_of(Nose::blunt);
   fly(stuck, 0, 200, slowing, hanging);

@@ -93,7 +93,7 @@ template <class T> bool is_steady(const std::vector<FlightSample<T>> &samples, T
 /// Records a sample and concludes. Blunt: perforated once the velocity is steady (0.1 % of the initial velocity) and
 /// `is_plug_loose()` says so; before that a plug that still hangs on the plate may come back to the nose. Sharp:
 /// perforated once the tail has left the rear face. Stopped once the projectile moves backwards by more than 0.2 % of
-/// the initial velocity.
+/// the initial velocity. What has been concluded stays.
 template <class T, class IsPlugLoose>
 void record(Flight<T> &flight, const FlightSample<T> &sample, IsPlugLoose &&is_plug_loose) {
   flight.samples.push_back(sample);
@@ -103,6 +103,7 @@ void record(Flight<T> &flight, const FlightSample<T> &sample, IsPlugLoose &&is_p
       flight.velocity_at_shoulder = sample.velocity;
     if (!flight.velocity_at_tail && sample.tail >= flight.plate_thickness) flight.velocity_at_tail = sample.velocity;
   }
+  if (flight.state != FlightState::in_progress) return;
   if (sample.velocity < T(-2) * tolerance)
     flight.state = FlightState::stopped;
   else if (flight.sharp ? flight.velocity_at_tail.has_value()
