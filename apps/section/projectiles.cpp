@@ -5,9 +5,9 @@
 #include "ogive/fem/projectile_shape.hpp"
 #include "ogive/material/library.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ranges>
 
 namespace section {
 
@@ -35,7 +35,7 @@ std::vector<Point> outline(const Shape &shape) {
     upper.push_back({1e3 * (whole - behind_tip), 1e3 * radius_at(shape, behind_tip)});
   }
   std::vector<Point> all = upper;
-  for (const Point &point : std::views::reverse(upper)) all.push_back({point[0], -point[1]});
+  std::for_each(upper.rbegin(), upper.rend(), [&](const Point &point) { all.push_back({point[0], -point[1]}); });
   return all;
 }
 

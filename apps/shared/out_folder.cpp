@@ -5,8 +5,8 @@
 
 #include "ogive/io/atomic_file.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <vector>
 
 namespace input {
@@ -50,7 +50,7 @@ std::vector<fs::path> prepare_out(const fs::path &out, double bytes, const char 
   if (fs::exists(status) && !fs::is_directory(status))
     refuse("--out", out.string(), "must be a folder, but a file of that name is there");
 
-  const auto created = missing_folders(out);
+  auto created = missing_folders(out);
   std::string reason;
   fs::create_directories(out, error);
   if (error)
@@ -64,7 +64,7 @@ std::vector<fs::path> prepare_out(const fs::path &out, double bytes, const char 
 
 void remove_empty(const std::vector<fs::path> &folders) {
   std::error_code ignored;
-  for (const fs::path &folder : std::views::reverse(folders)) fs::remove(folder, ignored);
+  std::for_each(folders.rbegin(), folders.rend(), [&](const fs::path &folder) { fs::remove(folder, ignored); });
 }
 
 } // namespace input

@@ -27,7 +27,7 @@ struct Field {
 
 Field linear() {
   const M L = sph_test::some_gradient();
-  return {[=](const V &x) -> V { return L * x + V(1, 2, 3); }, [=](const V &) -> M { return L; }};
+  return {[=](const V &x) -> V { return L * x + V(1, 2, 3); }, [=](const V &) { return M(L); }};
 }
 
 /// v_x = x^2 + x y + z^2, v_y = y z, v_z = x^2 over the edge.

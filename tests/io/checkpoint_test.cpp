@@ -66,7 +66,7 @@ template <class F> std::string refusal(F &&f) {
   try {
     f();
   } catch (const SetupError &error) {
-    const std::string line = error.what();
+    std::string line = error.what();
     CHECK(line.starts_with("checkpoint = "));
     CHECK(line.find('\n') == std::string::npos);
     return line;

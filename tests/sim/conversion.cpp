@@ -26,7 +26,7 @@ auto convertible_brick(Index nx, Index ny, Index nz, double h, double failure_st
   const auto mesh = brick_at(nx, ny, nz, V(double(nx) * h, double(ny) * h, double(nz) * h), V::Zero());
   ParticleLayout<double> layout{h, {}, {}};
   for (Index e = 0; e < static_cast<Index>(mesh.hexes.size()); ++e) {
-    layout.positions.push_back(corners(mesh, e).colwise().mean().transpose());
+    layout.positions.emplace_back(corners(mesh, e).colwise().mean().transpose());
     layout.volumes.push_back(hex_volume<double>(corners(mesh, e)));
   }
   Nodes<double> nodes;
