@@ -43,3 +43,44 @@ for floor in 0.001 100; do
     sed -E "s/^(rate_floor_per_s = )[^ ]+/\1$floor/" "$folder/base/material.toml" > "$folder/floor_$floor.toml"
   one "floor_$floor" "smallest rate $floor/s (1/s)" --material "$folder/floor_$floor.toml"
 done
+
+echo
+echo 'Particle distance, three shots near their limits and one far above it:'
+echo
+table
+for shot in 6:160 12:224.7 12:303.5 20:335; do
+  for spacing in 1.2 0.9 0.6 0.45; do
+    thickness=${shot%:*} velocity=${shot#*:}
+    shoot "${thickness}mm_${velocity}_$spacing" --thickness-mm "$thickness" --velocity-mps "$velocity" --spacing-mm "$spacing"
+    row "${thickness}mm_${velocity}_$spacing" "$thickness mm, particle distance $spacing mm"
+  done
+done
+
+sharp() { # name text [option]...
+  shoot "$1" --nose conical --spacing-mm 1.2 "${@:3}"
+  row "$1" "$2"
+}
+echo
+echo 'Conical nose, particles 1.2 mm apart:'
+echo
+table
+sharp conical 'steel, 12 mm' --velocity-mps 355.6
+for friction in 0 0.04 0.12; do
+  sharp "conical_friction_$friction" "steel, 12 mm, friction $friction" --velocity-mps 355.6 --friction "$friction"
+done
+aluminium=(--material aa5083_h116 --thickness-mm 15 --velocity-mps 270)
+sharp aluminium 'aluminium, 15 mm' "${aluminium[@]}"
+for friction in 0 0.04 0.12; do
+  sharp "aluminium_friction_$friction" "aluminium, 15 mm, friction $friction" "${aluminium[@]}" --friction "$friction"
+done
+for key in A_MPa B_MPa a; do
+  for factor in 0.9 1.1; do
+    changed=$folder/${key}_$factor.toml
+    [ -e "$changed" ] || [ ! -e "$folder/aluminium/material.toml" ] ||
+      awk -v key="$key" -v factor="$factor" '$1 == key { $3 *= factor } { print }' \
+        "$folder/aluminium/material.toml" > "$changed"
+    # A metal from a file has a friction of its own.
+    sharp "aluminium_${key}_$factor" "aluminium, 15 mm, ${key%_MPa} times $factor" "${aluminium[@]}" \
+      --material "$changed" --friction 0.02
+  done
+done

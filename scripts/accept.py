@@ -17,6 +17,7 @@ from acceptance_kinds import KINDS, Missing, limit_against_test, plate_text  # n
 from ogive_results import InputError, metal_of, short  # noqa: E402
 
 CHECKS = ogive_results.ROOT / "docs" / "results" / "acceptance.toml"
+BEYOND = ogive_results.ROOT / "docs" / "results" / "acceptance_beyond.toml"
 FOLDER = ogive_results.ROOT / "docs" / "results" / "results"
 FACTS = ogive_results.ROOT / "docs" / "results" / "paper_facts.toml"
 

@@ -142,3 +142,13 @@ def from_markdown(text, link_prefix=None, heading=3):
             block.append(one)
     flush()
     return "\n".join(out)
+
+
+def signed(value, decimals=1):
+    return "–" if value is None else f"{value:+.{decimals}f}".replace("-", "−")
+
+
+def plus_minus(value, error, decimals=1):
+    if value is None:
+        return "–"
+    return f"{value:.{decimals}f}" + ("" if error is None else f" ± {error:.{decimals}f}")

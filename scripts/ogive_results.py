@@ -32,6 +32,8 @@ TEXT_COLUMNS = {"method", "model", "material", "nose", "state_hash", "version", 
 SHOT_COLUMNS = KEY_COLUMNS + ("residual_velocity_mps", "perforated")
 LIMIT_COLUMNS = SERIES_COLUMNS + ("highest_stopped_mps", "lowest_perforated_mps", "bisection_limit_mps", "consistent",
                                   "fit_limit_mps", "fit_points", "test_limit_mps", "paper_velocity_mps")
+# The flow laws and how they are called.
+LAWS = {"mjc": "MJC", "jc": "JC"}
 
 
 class InputError(Exception):

@@ -2,30 +2,20 @@
 
 from accept import status_of_figure, summary
 from acceptance_kinds import percent_of, shot_text
-from html_text import STYLE, escape, from_markdown, status, table, unordered
-from ogive_results import ROOT, bracket_of, half_width_mps, metal_of, SERIES_COLUMNS, short
+from html_text import STYLE, escape, from_markdown, plus_minus, signed, status, table, unordered
+from ogive_results import LAWS, ROOT, half_width_mps, metal_of, short
+from results_limits import beyond_section, limits_section, test_limit_of
 
-LAWS = {"mjc": "MJC", "jc": "JC"}
-LAW_TEXTS = {"mjc": "modified law (MJC)", "jc": "classical law (JC)"}
-
-
-def signed(value, decimals=1):
-    return "–" if value is None else f"{value:+.{decimals}f}".replace("-", "−")
-
-
-def plus_minus(value, error, decimals=1):
-    if value is None:
-        return "–"
-    return f"{value:.{decimals}f}" + ("" if error is None else f" ± {error:.{decimals}f}")
 
 
 class Page:
     """What the sections share: everything that was read, and the results of the checks."""
 
-    def __init__(self, facts, results, tests, checks, record, spacing_mm, pictures, link_prefix):
-        self.facts, self.results, self.tests, self.checks = facts, results, tests, checks
+    def __init__(self, facts, results, tests, checks, beyond, record, spacing_mm, pictures, link_prefix):
+        self.facts, self.results, self.tests, self.checks, self.beyond = facts, results, tests, checks, beyond
         self.record, self.spacing_mm, self.pictures, self.link_prefix = record, spacing_mm, pictures, link_prefix
         self.methods = sorted({row["method"] for row in results.shots})
+        self.methods_beyond = [method for method in self.methods if method != "sfm"]
 
     def checks_of(self, figure):
         return [result for result in self.checks if figure in result.figures]
@@ -144,13 +134,6 @@ def pictures_of(page, fact):
 def plates_of(fact):
     return [(group["metal"], group["nose"], thickness) for group in fact.get("tests", [])
             for thickness in group["thickness_mm"]]
-
-
-def test_limit_of(page, metal, nose, thickness_mm):
-    for row in page.tests.limits:
-        if row["material"] == metal and row["nose"] == nose and abs(row["thickness_mm"] - thickness_mm) < 0.01:
-            return row
-    return None
 
 
 def limits_beside_tests(page, fact):
@@ -272,51 +255,6 @@ def figure_section(page, fact):
         limits_beside_tests(page, fact), shots_beside_tests(page, fact), picture_shots(page, fact)])
 
 
-def stale_limits(results):
-    """Series whose limits do not belong to the shots: one line for each."""
-    lines = []
-    for limit in results.limits:
-        shots = [s for s in results.shots if s.key(SERIES_COLUMNS) == limit.key(SERIES_COLUMNS)]
-        if bracket_of(shots) != (limit["highest_stopped_mps"], limit["lowest_perforated_mps"]):
-            lines.append(f"{limit['model']}, {limit['material']}, {limit['nose']}, {short(limit['thickness_mm'])} mm: "
-                         "the limit is older than the shots")
-    return lines
-
-
-def limits_section(page):
-    order = sorted(page.results.limits, key=lambda r: (metal_of(r["material"]) != "Weldox 460 E", r["nose"],
-                                                       r["thickness_mm"], r["model"] != "mjc", r["method"]))
-    rows, odd = [], False
-    for r in order:
-        limit, fit, test, paper = (r[c] for c in ("bisection_limit_mps", "fit_limit_mps", "test_limit_mps",
-                                                  "paper_velocity_mps"))
-        mark = "" if r["consistent"] else " †"
-        odd = odd or bool(mark)
-        law = LAWS.get(r["model"], r["model"]) + ("" if len(page.methods) < 2 else f', {escape(r["method"])}')
-
-        def parameter(name, decimals=2):
-            origin = r.get(f"fit_{name}_origin")
-            return plus_minus(r[f"fit_{name}"], r[f"fit_{name}_se"], decimals) + (
-                f" ({origin})" if origin and origin != "fitted" else "")
-
-        rows.append([f'{short(r["thickness_mm"])} mm {metal_of(r["material"])}, {escape(r["nose"])}', law,
-                     plus_minus(limit, half_width_mps(r)) + mark, plus_minus(fit, r["fit_limit_se_mps"]),
-                     parameter("a"), parameter("p"), signed(fit - limit if fit and limit else None),
-                     f'{r["fit_points"]:.0f}' if r["fit_points"] else "–", short(test),
-                     signed(percent_of(limit, test) if limit and test else None), short(paper),
-                     signed(percent_of(paper, test) if paper and test else None)])
-    notes = ["Bisection: the middle of the slowest shot that perforated and the fastest below it that did not, ± half "
-             "of what lies between. Fit: v_r = a (v^p − v_bl^p)^(1/p) through all shots that perforated, ± standard "
-             "errors. Paper: the strike velocity that it names as close to its limit."]
-    if odd:
-        notes.append("† A shot was stopped above one that perforated.")
-    notes += [line + "." for line in stale_limits(page.results)]
-    body = table(["plate", "law", "bisection, m/s", "fit v_bl, m/s", "a", "p", "fit − bisection, m/s", "shots",
-                  "test, m/s", "off, %", "paper, m/s", "off, %"], rows, numbers=range(2, 12)) if rows else (
-                      "<p class=empty>No limits yet.</p>")
-    return "<h2 id=limits>Ballistic limits</h2>\n" + body + "".join(f"<p class=note>{escape(n)}</p>" for n in notes)
-
-
 def document(page, file, title, identifier):
     text = (ROOT / "docs" / file).read_text(encoding="utf-8")
     return f"<h2 id={identifier}>{title}</h2>\n" + from_markdown(text, page.link_prefix)
@@ -366,7 +304,7 @@ def whole_page(page):
     title = "Perforation of steel and aluminium plates: 14 figures computed anew"
     anchors = [("scoreboard", "Scoreboard"),
                *((f'figure_{f["number"]}', f'Fig.&nbsp;{f["number"]}') for f in page.facts), ("limits", "Limits"),
-               ("acceptance", "Acceptance"), ("assumptions", "Assumptions"), ("sensitivity", "Sensitivity"),
+               *([("beyond", "Beyond the paper")] if page.methods_beyond else []), ("acceptance", "Acceptance"), ("assumptions", "Assumptions"), ("sensitivity", "Sensitivity"),
                ("record", "Run record")]
     usual = page.record["usual_spacing_mm"]
     coarse = "" if abs(page.spacing_mm - usual) < 1e-9 else (
@@ -384,5 +322,5 @@ def whole_page(page):
         "judgement, is computed from the runs by <code>scripts/figures.sh</code>.</p>", coarse,
         "<p>" + " · ".join(f'<a href="#{anchor}">{text}</a>' for anchor, text in anchors) + "</p>",
         scoreboard(page), *(figure_section(page, fact) for fact in page.facts), limits_section(page),
-        acceptance_section(page), document(page, "assumptions.md", "Assumptions", "assumptions"),
+        beyond_section(page), acceptance_section(page), document(page, "assumptions.md", "Assumptions", "assumptions"),
         document(page, "sensitivity.md", "Sensitivity", "sensitivity"), record_section(page), "</body></html>", ""])

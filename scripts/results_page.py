@@ -15,6 +15,7 @@ sys.dont_write_bytecode = True  # the modules beside this script leave no files 
 import accept  # noqa: E402
 import ogive_results  # noqa: E402
 import results_html  # noqa: E402
+import results_limits  # noqa: E402
 from ogive_results import InputError, KEY_COLUMNS, RECORD_COLUMNS, ROOT, csv_text, write_text  # noqa: E402
 
 
@@ -134,16 +135,17 @@ def main():
     usual_mm = ogive_results.read_toml(o.checks).get("defaults", {}).get("spacing_mm", 0)
     spacing_mm = usual_mm if o.spacing_mm is None else o.spacing_mm
     checks = accept.run_checks(results, tests, o.checks, spacing_mm)
+    beyond = accept.run_checks(results, tests, accept.BEYOND, spacing_mm)
 
     o.out.mkdir(parents=True, exist_ok=True)
     write_tables(results, o.out)
     record = run_record(results, o.build)
     write_text(o.out / "run_record.json", json.dumps(record, indent=2, ensure_ascii=False) + "\n")
     pictures = copy_pictures(facts, o.folder, o.out)
-    page = results_html.Page(facts, results, tests, checks, {**record, "usual_spacing_mm": usual_mm}, spacing_mm,
+    page = results_html.Page(facts, results, tests, checks, beyond, {**record, "usual_spacing_mm": usual_mm}, spacing_mm,
                              pictures, link_prefix_of(o.out))
     write_text(o.out / "index.html", results_html.whole_page(page))
-    for line in results_html.stale_limits(results):
+    for line in results_limits.stale_limits(results):
         print(f"results_page: {line}", file=sys.stderr)
     print(f"{o.out / 'index.html'}: {len(results.shots)} shots, {len(pictures)} pictures, checks: "
           f"{accept.summary(checks)}")

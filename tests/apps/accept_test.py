@@ -168,6 +168,9 @@ class Accept(Folders):
         done = run("accept.py", self.folder)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertRegex(done.stdout.splitlines()[-1], r"^\d+ passed, \d+ failed$")
+        done = run("accept.py", self.folder, "--checks", SCRIPTS.parent / "docs" / "results" / "acceptance_beyond.toml")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stdout.splitlines()[-1], r"^0 passed, \d+ failed$")
 
 
 class Page(Folders):
@@ -225,6 +228,26 @@ class Page(Folders):
     def test_older_limits_are_told(self):
         (self.folder / "steel_blunt_limits.csv").write_text(LIMITS.replace(",180,184,182,", ",179,184,181.5,"))
         self.assertIn("the limit is older than the shots", self.page(self.folder, self.folder / "page").stderr)
+
+    def test_a_method_beyond_the_paper_has_a_section_and_leaves_the_figures_alone(self):
+        page = self.folder / "page" / "index.html"
+        self.page(self.folder, page.parent)
+        before = page.read_text()
+        self.assertNotIn("Beyond the paper", before)
+        ours = [row.replace("sfm,", "adaptive,", 1).replace(",31.25,", ",35,").replace(",38.8,", ",58.2,")
+                for row in SHOTS[:2]]
+        (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, *SHOTS, *ours, ""]))
+        limit = LIMITS.splitlines()[1].replace("sfm,", "adaptive,", 1).replace(",184.5,", ",180,")
+        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS + limit + "\n")
+        self.page(self.folder, page.parent)
+        after = page.read_text()
+        self.assertEqual(re.search("Of 14 figures.*", before)[0], re.search("Of 14 figures.*", after)[0])
+        section = after[after.index("<h2 id=beyond>"):after.index("<h2 id=acceptance>")]
+        self.assertRegex(section, r"good..pass.*adaptive_limit_12mm")
+        self.assertRegex(section, r"missing.*adaptive_limit_20mm")
+        self.assertNotIn("stabilised_limit", section)
+        # 20.4 and 58.2 s for the shots that took the paper's method 20.4 and 38.8 s.
+        self.assertIn("adaptive: 1.33 times the processor time", section)
 
     def test_wrong_input(self):
         self.require_refused(run("results_page.py", self.folder, self.folder),
