@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# figures.sh [--quick] [--page] [--jobs N]: runs or resumes all shots of the paper's figures, draws them and makes the
-# page docs/results/index.html.
-#   --quick   coarse: particles 1.5 mm apart, in vtk_out/figures_quick; the page goes to its folder page/
-#   --page    runs no shots; draws what is missing and makes the page
-#   --jobs N  shots at a time, as many as cores if not given
+# figures.sh [--quick] [--page] [--method NAME] [--jobs N]: runs or resumes all shots of the paper's figures, draws them
+# and makes the page docs/results/index.html.
+#   --quick        coarse: particles 1.5 mm apart, in vtk_out/figures_quick; the page goes to its folder page/
+#   --page         runs no shots; draws what is missing and makes the page
+#   --method NAME  runs the shots with this method, stabilised or adaptive, which adds its curves and pictures [sfm]
+#   --jobs N       shots at a time, as many as cores if not given
 # What is done already is not done again. Programs that fail do not stop the others; the exit status is then 3, and 2 for
 # wrong options. FIGURES, PAGE and PROGRAMS name other folders for the shots, the page and the programs.
 set -euo pipefail
@@ -14,11 +15,16 @@ refuse() {
   echo "figures: error: $1" >&2
   exit 2
 }
-quick="" page_only="" jobs=""
+quick="" page_only="" jobs="" method=sfm
 while [ $# -gt 0 ]; do
   case $1 in
     --quick) quick=yes ;;
     --page) page_only=yes ;;
+    --method)
+      [[ ${2:-} =~ ^(sfm|stabilised|adaptive)$ ]] || refuse "--method = ${2:-}: must be sfm, stabilised or adaptive"
+      method=$2
+      shift
+      ;;
     --jobs)
       [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || refuse "--jobs = ${2:-}: must be a whole number from 1"
       jobs=$2
@@ -28,7 +34,7 @@ while [ $# -gt 0 ]; do
       sed -n '3,/^set /{s/^# \{0,1\}//p}' "$0"
       exit 0
       ;;
-    *) refuse "$1: unknown option; there are --quick, --page, --jobs N and --help" ;;
+    *) refuse "$1: unknown option; there are --quick, --page, --method NAME, --jobs N and --help" ;;
   esac
   shift
 done
@@ -63,7 +69,7 @@ attempt() {
 }
 
 campaign() { # name [option]...
-  "$programs/$1" ${quick:+--quick} --out "$figures" --spacing-mm "$spacing" "${@:2}"
+  "$programs/$1" ${quick:+--quick} --method "$method" --out "$figures" --spacing-mm "$spacing" "${@:2}"
 }
 for name in "${campaigns[@]}"; do
   if [ -n "$page_only" ]; then
@@ -88,8 +94,9 @@ fits() {
 attempt "figures 1 to 3" fits
 
 # The folder of a shot, as the campaigns name it; those of pictures are of the modified law.
-shot() { # material nose thickness velocity
-  echo "$figures/shots/mjc_$1_$2_$3mm_$4mps_${spacing}mm"
+shot() { # method material nose thickness velocity
+  local prefix=${1#sfm}
+  echo "$figures/shots/${prefix:+${prefix}_}mjc_$2_$3_$4mm_$5mps_${spacing}mm"
 }
 
 # times series... -- time...: those times that all the series have frames for, separated by commas
@@ -138,42 +145,51 @@ there() {
 draw 4 -- --projectiles
 draw 5 -- --mesh --thickness-mm 12 --spacing-mm "$spacing" --nose blunt
 
-steel_10=$(shot weldox_460e blunt 10 180)
-steel_6=$(shot weldox_460e blunt 6 160)
-if there 7 "$steel_10"; then
-  at=$(times "$steel_10" -- 0 10 20 30 40 50 60 80)
-  draw 7 "$steel_10" -- --series "$steel_10" --times-us "$at" --title 'Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s'
-  draw 7_temperature "$steel_10" -- --series "$steel_10" --times-us "$at" --colour temperature \
-    --title 'Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s'
-fi
-if there 8 "$steel_6" "$steel_10"; then
-  at=$(times "$steel_6" "$steel_10" -- 0 15 30 45 60)
+# pictures method [suffix [text]]: Figs. 7, 8, 10 and 14 with a method
+pictures() {
+  local method=$1 suffix=${2:-} text=${3:-} at time_us plate pair series labels=() sections=()
+  local steel_10 steel_6 aluminium_15
+  steel_10=$(shot "$method" weldox_460e blunt 10 180)
+  steel_6=$(shot "$method" weldox_460e blunt 6 160)
+  if there "7$suffix" "$steel_10"; then
+    at=$(times "$steel_10" -- 0 10 20 30 40 50 60 80)
+    draw "7$suffix" "$steel_10" -- --series "$steel_10" --times-us "$at" \
+      --title "Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s$text"
+    draw "7_temperature$suffix" "$steel_10" -- --series "$steel_10" --times-us "$at" --colour temperature \
+      --title "Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s$text"
+  fi
+  if there "8$suffix" "$steel_6" "$steel_10"; then
+    at=$(times "$steel_6" "$steel_10" -- 0 15 30 45 60)
+    for plate in '(a) 6 mm' '(b) 10 mm'; do
+      for time_us in ${at//,/ }; do labels+=("$plate, $time_us µs"); done
+    done
+    draw "8$suffix" "$steel_6" "$steel_10" -- --series "$steel_6" "$steel_10" --times-us "$at" --label "${labels[@]}" \
+      --columns $((${#labels[@]} / 2)) --title "Fig. 8: Weldox 460 E, blunt: (a) 6 mm, 160 m/s; (b) 10 mm, 180 m/s$text"
+  fi
+
   labels=()
-  for plate in '(a) 6 mm' '(b) 10 mm'; do
-    for time_us in ${at//,/ }; do labels+=("$plate, $time_us µs"); done
+  for pair in 6:110 8:135 10:160 12:195 16:240 20:310; do
+    series=$(shot "$method" weldox_460e blunt "${pair%:*}" "${pair#*:}")
+    there "10$suffix" "$series" || continue
+    sections+=("$series")
+    labels+=("${pair%:*} mm, ${pair#*:} m/s")
   done
-  draw 8 "$steel_6" "$steel_10" -- --series "$steel_6" "$steel_10" --times-us "$at" --label "${labels[@]}" \
-    --columns $((${#labels[@]} / 2)) --title 'Fig. 8: Weldox 460 E, blunt: (a) 6 mm, 160 m/s; (b) 10 mm, 180 m/s'
-fi
+  if [ "${#sections[@]}" -eq 6 ]; then
+    draw "10$suffix" "${sections[@]}" -- --series "${sections[@]}" --label "${labels[@]}" --columns 3 --times-us last \
+      --title "Fig. 10: Weldox 460 E, blunt, last frame$text"
+  fi
 
-sections=() labels=()
-for pair in 6:110 8:135 10:160 12:195 16:240 20:310; do
-  series=$(shot weldox_460e blunt "${pair%:*}" "${pair#*:}")
-  there 10 "$series" || continue
-  sections+=("$series")
-  labels+=("${pair%:*} mm, ${pair#*:} m/s")
+  aluminium_15=$(shot "$method" aa5083_h116 conical 15 214)
+  if there "14$suffix" "$aluminium_15"; then
+    at=$(times "$aluminium_15" -- 0 40 80 120 160 200 280 360)
+    draw "14$suffix" "$aluminium_15" -- --series "$aluminium_15" --times-us "$at" \
+      --title "Fig. 14: 15 mm AA5083-H116, conical, 214 m/s$text"
+  fi
+}
+pictures sfm
+for beyond in stabilised adaptive; do
+  [ -z "$(compgen -G "$figures/shots/${beyond}_*")" ] || pictures "$beyond" "_$beyond" ", $beyond"
 done
-if [ "${#sections[@]}" -eq 6 ]; then
-  draw 10 "${sections[@]}" -- --series "${sections[@]}" --label "${labels[@]}" --columns 3 --times-us last \
-    --title 'Fig. 10: Weldox 460 E, blunt, last frame'
-fi
-
-aluminium_15=$(shot aa5083_h116 conical 15 214)
-if there 14 "$aluminium_15"; then
-  at=$(times "$aluminium_15" -- 0 40 80 120 160 200 280 360)
-  draw 14 "$aluminium_15" -- --series "$aluminium_15" --times-us "$at" \
-    --title 'Fig. 14: 15 mm AA5083-H116, conical, 214 m/s'
-fi
 
 attempt page python3 scripts/results_page.py --spacing-mm "$spacing" "$figures" "$page"
 for line in "${failed[@]}"; do

@@ -120,6 +120,8 @@ def pictures_of(page, fact):
             parts.append(f'<figure><a href="{name}"><img src="{name}" alt="{caption}"></a>'
                          f"<figcaption>{caption}</figcaption></figure>")
             continue
+        if picture.get("method"):
+            continue
         missing = picture_shots_missing(page, fact["number"])
         shots = "; ".join(f'{short(s["thickness_mm"])} mm, {short(s["initial_velocity_mps"])} m/s' for s in missing)
         why = f" Shots not run yet: {escape(shots)}." if missing else ""
