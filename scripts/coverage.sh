@@ -21,7 +21,7 @@ OMP_NUM_THREADS=1 "$root/scripts/with_display.sh" ctest --preset coverage "$@" >
 # Pictures and files are the business of include/ogive/io; all folders count.
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
-gcovr --root "$root" --filter "$root/include/ogive/" --exclude-unreachable-branches --csv "$build" >"$table"
+gcovr "$build" --root "$root" --filter "$root/include/ogive/" --exclude-unreachable-branches --csv >"$table"
 awk -F, '
   NR == 1 { next }
   {
