@@ -139,11 +139,26 @@ TEST_CASE("particles that neighbours do not surround keep the plain gradient", "
     const Mat3<double> Q = turn.toRotationMatrix();
     return Mat3<double>(Q * Vec3<double>(a, b, c).asDiagonal() * Q.transpose());
   };
-  // 0.17 keeps torn necks stable and lies below the 0.24 of a corner; a mean of 1.5 is that of a clump.
-  for (const Mat3<double> &M : {turned(1, 0.7, 0.175), turned(1.49, 1.5, 1.5), turned(0.18, 0.18, 0.18)})
-    CHECK((correction_matrix(M) * M - Mat3<double>::Identity()).norm() < 1e-12);
-  for (const Mat3<double> &M : {turned(1, 0.7, 0.165), turned(1, 1, -0.3), turned(-1, -1, 1), turned(1.6, 1.5, 1.5)})
-    CHECK(correction_matrix(M) == Mat3<double>::Identity());
+  const Mat3<double> I = Mat3<double>::Identity();
+  // Roots of |M^-2| of 6.25 and less; a corner of a lattice has 5.2. A mean of 1.5 is that of a clump.
+  for (const Mat3<double> &M : {turned(1, 0.7, 0.16), turned(1.49, 1.5, 1.5), turned(0.22, 0.22, 0.22)})
+    CHECK((correction_matrix(M) * M - I).norm() < 1e-12);
+  // 8.1 and more.
+  for (const Mat3<double> &M :
+       {turned(1, 0.7, 0.123), turned(1, 1, 0), turned(0.16, 0.16, 0.16), turned(1.6, 1.5, 1.5)})
+    CHECK(correction_matrix(M) == I);
+  CHECK(correction_matrix(Mat3<double>(Mat3<double>::Zero())) == I);
+  // In between it fades, without a jump: with 200 steps over the range of norms none is larger than a few hundredths of
+  // the whole way.
+  double last = 6.2 - 1;
+  const double whole = last;
+  for (int k = 0; k <= 200; ++k) {
+    const double largest = 6.2 + 1.8 * k / 200; // eigenvalue of M^-1
+    const double now = (correction_matrix(turned(1, 1, 1 / largest)) - I).norm();
+    CHECK(std::abs(now - last) < 0.03 * whole);
+    last = now;
+  }
+  CHECK(last == 0);
 }
 
 TEST_CASE("the corrected gradient is exact at mirror planes for fields that respect them", "[sph]") {
