@@ -120,7 +120,7 @@ bool draw_residuals(const Plot &plot, const std::vector<SeriesKey> &series, cons
   std::string commands = "set multiplot layout " + std::to_string(lines) + "," + std::to_string(columns) + " title " +
                          gnuplot_quoted(plot.title) +
                          "; set key left top reverse Left; set xrange [100:420]; "
-                         "set yrange [0:350]; set grid; set xtics 100; ";
+                         "set yrange [0:400]; set grid; set xtics 100; ";
   int panel = 0;
   for (const auto &[plate, keys] : panels) {
     const fs::path base = out / "plot_data" / ("figure_" + std::to_string(plot.figure) + "_" + std::to_string(++panel));
