@@ -45,7 +45,7 @@ for floor in 0.001 100; do
 done
 
 echo
-echo 'Particle distance, three shots near their limits and one far above it:'
+echo 'Particle distance, three plates:'
 echo
 table
 for shot in 6:160 12:224.7 12:303.5 20:335; do
