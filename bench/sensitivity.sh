@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # sensitivity.sh [folder]: what the choices that the paper leaves open do to one shot (12 mm, blunt, 303.5 m/s, particles
-# 1 mm apart). Shots that the folder holds already are not run again. Prints a table in Markdown.
+# 1 mm apart), what the particle distance does to three plates, what moves two plates near their limit, where the method
+# is too weak, and what friction and the aluminium's A, B and a do to conical noses. Shots that the folder holds already
+# are not run again. Prints tables in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/sensitivity}
@@ -55,6 +57,32 @@ for shot in 6:160 12:224.7 12:303.5 20:335; do
     row "${thickness}mm_${velocity}_$spacing" "$thickness mm, particle distance $spacing mm"
   done
 done
+
+# near name text [option]...: both plates just above the limits of the tests, 154.3 and 236.9 m/s
+near() {
+  shoot "near_8mm_$1" --thickness-mm 8 --velocity-mps 155 --spacing-mm 0.8 "${@:3}"
+  row "near_8mm_$1" "8 mm, $2"
+  shoot "near_16mm_$1" --thickness-mm 16 --velocity-mps 240 --spacing-mm 0.8 "${@:3}"
+  row "near_16mm_$1" "16 mm, $2"
+}
+echo
+echo 'Two plates near the limits of the tests, particles 0.8 mm apart:'
+echo
+table
+near base 'as it is'
+near bonds 'bonds against zero-energy modes, 0.3' --control-stiffness 0.3
+near bonds_0.1 'bonds against zero-energy modes, 0.1' --control-stiffness 0.1
+near cubic 'cubic lattice' --lattice cubic
+near standard 'standard form' --form standard
+near wendland 'Wendland C2 kernel' --kernel wendland_c2
+near rigid 'rigid projectile' --projectile rigid
+near friction 'friction 0.1' --friction 0.1
+near contact_0.3 'contact stiffness 0.3 (0.1)' --contact-stiffness 0.3
+near alpha_0.2 'linear viscosity 0.2 (0.06)' --linear-viscosity 0.2
+near radius_36 'disc of particles 36 mm in radius (24)' --sph-radius-mm 36
+near b_bar 'hexes with 2×2×2 points' --element selective_reduced
+near jc 'classical Johnson–Cook' --model jc
+near damage_jc 'damage by Eq. 4, failed particles without tension' --damage jc
 
 sharp() { # name text [option]...
   shoot "$1" --nose conical --spacing-mm 1.2 "${@:3}"

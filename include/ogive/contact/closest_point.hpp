@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ogive {
 
@@ -73,25 +72,6 @@ template <class T> FacetPoint<T> closest_on_facet(const Vec3<T> &p, const std::a
     }
   }
   return best;
-}
-
-/// Normal of a facet at its point closest to another one, times the facet's angle there. Summed over the facets of a
-/// closed surface that meet at the closest point, also one where several corners meet, it tells the side on which that
-/// other point lies (Baerentzen & Aanaes 2005).
-template <class T> Vec3<T> angle_weighted_normal(const FacetPoint<T> &point, const std::array<Vec3<T>, 4> &corner) {
-  for (int k = 0; k < 4; ++k) {
-    if (point.weights[k] != T(1)) continue;
-    const Vec3<T> middle = T(0.25) * (corner[0] + corner[1] + corner[2] + corner[3]);
-    const Vec3<T> to_middle = middle - corner[k];
-    const Vec3<T> to_next = corner[(k + 1) % 4] - corner[k], to_last = corner[(k + 3) % 4] - corner[k];
-    const auto weighted = [](const Vec3<T> &a, const Vec3<T> &b) {
-      const Vec3<T> area = cross<T>(a, b);
-      const T size = area.norm();
-      return Vec3<T>(std::atan2(size, a.dot(b)) / std::max(size, T(1e-30)) * area);
-    };
-    return weighted(to_next, to_middle) + weighted(to_middle, to_last);
-  }
-  return std::numbers::pi_v<T> * point.normal;
 }
 
 } // namespace ogive

@@ -3,6 +3,7 @@
 
 #include "ogive/contact/closest_point.hpp"
 #include "ogive/contact/search.hpp"
+#include "ogive/contact/side.hpp"
 #include "ogive/core/parallel.hpp"
 
 #include <algorithm>
@@ -23,14 +24,12 @@ template <class T> struct Touch {
 
 /// The facet nearest to a slave, and its point there.
 template <class T> struct NearestFacet {
-  Index facet = -1;                  ///< -1: none is near
-  FacetPoint<T> point{};             ///< closest to the slave
-  Vec3<T> outward = Vec3<T>::Zero(); ///< side of the surface there: its normal, or a sum of those that meet there
+  Index facet = -1;      ///< -1: none is near
+  FacetPoint<T> point{}; ///< closest to the slave
+  bool outside = true;   ///< the slave lies outside the surface
 
-  /// True if `p` (m) lies outside.
-  bool is_outside(const Vec3<T> &p) const { return outward.dot(p - point.position) >= T(0); }
-  /// Distance of `p` (m) from the surface, m; negative inside.
-  T gap(const Vec3<T> &p) const { return (is_outside(p) ? T(1) : T(-1)) * std::sqrt(point.distance_squared); }
+  /// Distance of the slave from the surface, m; negative inside.
+  T gap() const { return (outside ? T(1) : T(-1)) * std::sqrt(point.distance_squared); }
 };
 
 /// Closest point of the candidate facets to `p` (m), where slave `a` of the active list is, if nearer than `limit` (m).
@@ -38,7 +37,6 @@ template <class T>
 NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p,
                              T limit) {
   FacetPoint<T> best;
-  Vec3<T> outward = Vec3<T>::Zero();
   T best_alignment{};
   Index facet = -1;
   for (Index k = contact.candidate_begin[a]; k < contact.candidate_begin[a + 1]; ++k) {
@@ -49,28 +47,20 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     const FacetPoint<T> point = closest_on_facet(p, corner);
     const T alignment = std::abs(point.normal.dot(p - point.position));
     const T tie = T(1e-6) * (best.distance_squared + point.distance_squared);
-    const bool nearer = facet < 0 || point.distance_squared < best.distance_squared - tie;
-    const bool as_near = !nearer && point.distance_squared <= best.distance_squared + tie;
-    const bool at_same = as_near && (point.position - best.position).norm() < T(1e-6) * contact.facet_radius[f];
-    const bool better = nearer || (as_near && alignment > best_alignment);
-    if (contact.follows && (at_same || better)) {
-      const Vec3<T> normal = angle_weighted_normal(point, corner);
-      outward = at_same ? Vec3<T>(outward + normal) : normal;
-    }
-    if (better) {
+    if (facet < 0 || point.distance_squared < best.distance_squared - tie ||
+        (point.distance_squared <= best.distance_squared + tie && alignment > best_alignment)) {
       best = point;
       best_alignment = alignment;
       facet = f;
       limit = std::min(limit, std::sqrt(point.distance_squared) * T(1.001));
     }
   }
-  // Where hexes have gone, edges and corners may be of any kind, and the normal of one facet does not tell the side.
-  if (!contact.follows || facet < 0) return {facet, best, best.normal};
-  // The images of facets at a mirror plane take away what points across it.
-  const T near = T(1e-6) * contact.facet_radius[facet];
-  if (contact.symmetry.x && std::abs(best.position[0]) < near) outward[0] = T(0);
-  if (contact.symmetry.y && std::abs(best.position[1]) < near) outward[1] = T(0);
-  return {facet, best, outward};
+  if (facet < 0) return {};
+  // On a convex surface, where few slaves are inside, one that seems outside by the nearest facet is outside.
+  const bool seems_outside = best.normal.dot(p - best.position) >= T(0);
+  const bool outside =
+      (seems_outside && !contact.follows) || is_outside(contact, nodes, a, p, std::sqrt(best.distance_squared));
+  return {facet, best, outside};
 }
 
 /// How a slave touches the surface. At an edge or corner the direction is that from the surface to the slave, so that
@@ -87,7 +77,7 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
   if (facet < 0) return {};
   const Vec3<T> gap = p - best.position;
   const T distance = std::sqrt(best.distance_squared);
-  const bool outside = nearest.is_outside(p);
+  const bool outside = nearest.outside;
   const T depth = outside ? offset - distance : offset + distance;
   if (depth <= T(0)) return {};
   if (!outside && distance > deepest) return {.lost = true};
@@ -142,7 +132,7 @@ template <class T> void grow_offset(NodeToSurface<T> &contact, const Nodes<T> &n
   if (present >= full) return;
   const Vec3<T> p = on_model_side(contact, nodes, slave);
   const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, full + contact.search_margin);
-  present = std::max(present, nearest.facet < 0 ? full : std::min(full, nearest.gap(p)));
+  present = std::max(present, nearest.facet < 0 ? full : std::min(full, nearest.gap()));
 }
 
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come
