@@ -18,7 +18,7 @@ head_of_table() {
 one() { # name text [option]...
   shoot "$1" --method stabilised --no-picture "${@:3}"
   [ -e "$folder/$1/summary.json" ] || return 0
-  echo "| $2 | $(number "$1" initial_velocity_mps %.1f) | $(number "$1" test_residual_velocity_mps %.1f) |" \
+  echo "| $2 | $(number "$1" initial_velocity_mps %.1f) | $(test_velocity "$1") |" \
     "$(number "$1" residual_velocity_mps %.1f) | $(number "$1" plug_mass_g %.1f) | $(number "$1" failed_particles %d) |" \
     "$(number "$1" dishing_mm %.2f) | $(number "$1" hourglass_fraction %.2f 100) |" \
     "$(number "$1" energy_error %.3f 100) | $(number "$1" cpu_s %.0f) |"
@@ -27,7 +27,7 @@ one() { # name text [option]...
 adaptive() { # name text [option]...
   shoot "adaptive_$1" --method adaptive "${@:3}"
   [ -e "$folder/adaptive_$1/summary.json" ] || return 0
-  echo "| $2 | $(number "adaptive_$1" initial_velocity_mps %.1f) | $(number "adaptive_$1" test_residual_velocity_mps %.1f) |" \
+  echo "| $2 | $(number "adaptive_$1" initial_velocity_mps %.1f) | $(test_velocity "adaptive_$1") |" \
     "$(number "adaptive_$1" residual_velocity_mps %.1f) | $(number "adaptive_$1" plug_mass_g %.1f) |" \
     "$(number "adaptive_$1" failed_hexes %d), $(number "adaptive_$1" distorted_hexes %d) |" \
     "$(number "adaptive_$1" dishing_mm %.2f), $(number "adaptive_$1" dishing_at_rest_mm %.2f) |" \

@@ -63,7 +63,7 @@ class Result:
     share: float  # of what is allowed
 
     def line(self):
-        return f"{self.status:<7} {self.id}: {self.statement}: {self.measured} against {self.limit}"
+        return f"{self.status:<7} {self.id}: {self.statement}: {self.measured}; asked: {self.limit}"
 
 
 class Check:
@@ -231,7 +231,7 @@ def figure_table(results):
         of_figure = [r for r in results if fact["number"] in r.figures]
         word, decides = status_of_figure(of_figure)
         passed = sum(r.status == "pass" for r in of_figure)
-        text = f"{decides.statement}: {decides.measured} against {decides.limit}" if decides else ""
+        text = f"{decides.statement}: {decides.measured}; asked: {decides.limit}" if decides else ""
         lines.append(f"| {fact['number']} | {fact['title']} | {word} | {passed} of {len(of_figure)} | {text} |")
     return "\n".join(lines)
 

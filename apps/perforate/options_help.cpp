@@ -80,7 +80,8 @@ std::string help() {
   text +=
       help_item("limit", "find the ballistic limit of a case by bisection, shoot some times above it, print and draw "
                          "the fitted curve of the residual velocity; options as above, --velocity-mps is the first "
-                         "shot, --width-mps X that of the bracket [5: ours]. Run again, it goes on");
+                         "shot [90 + 9 for each mm of the plate: ours], --width-mps X that of the bracket "
+                         "[5: ours]. Run again, it goes on");
   text += help_item("mesh", "write the model of a case for ParaView and print its sizes and the quality of the hexes, "
                             "without running it; options as above");
   text += "\nExamples:\n"

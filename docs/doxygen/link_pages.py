@@ -19,6 +19,9 @@ def linked(match, folder):
     file = (folder / to).resolve()
     if file.suffix == ".md" and file.is_file() and file.parent == folder:
         return f"[{text}](@ref page_{file.stem})"
+    if file.suffix == ".md" and file.is_file() and file.parent == folder / "doxygen":
+        name = re.search(r"{#(\w+)}", file.read_text(encoding="utf-8"))[1]
+        return f"[{text}](@ref {name})"
     if "/include/ogive/" in str(file):
         return f"[{text}](@ref {file.name})" if is_only(file) else text
     return text

@@ -98,9 +98,9 @@ class Accept(Folders):
         done = self.accept()
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertEqual(done.stdout.splitlines(), [
-            "pass    good: The limit is near: -1.36 % (182 m/s, test 184.5 m/s) against within 6 %",
-            "FAIL    bad: Energy balances: 0.7 % (mjc, blunt, 12 mm, 303.5 m/s) against below 0.5 %",
-            "missing gone: The thin plate's limit is near: no limit to 2.5 m/s by bisection, blunt, 6 mm against "
+            "pass    good: The limit is near: -1.36 % (182 m/s, test 184.5 m/s); asked: within 6 %",
+            "FAIL    bad: Energy balances: 0.7 % (mjc, blunt, 12 mm, 303.5 m/s); asked: below 0.5 %",
+            "missing gone: The thin plate's limit is near: no limit to 2.5 m/s by bisection, blunt, 6 mm; asked: "
             "within 6 %",
             "1 passed, 2 failed"])
 
