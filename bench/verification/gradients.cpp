@@ -127,7 +127,7 @@ Rung gradients() {
            error_of(sph_test::block(10, 10, 10, 0.05, edge / 10), linear()).anywhere / scale, 1e-12);
   const auto wild = error_of(sph_test::block(10, 10, 10, 0.15, edge / 10), linear());
   vanishes(rung, "the same by 0.15 distances, inside", wild.inside / scale, 1e-12);
-  vanishes(rung, "the same by 0.15 distances: share of particles without correction", wild.inexact, 0.01);
+  vanishes(rung, "the same by 0.15 distances: share of particles without full correction", wild.inexact, 0.01);
   auto disc = ring_disc(DiscShape<double>{edge / 2, edge / 2, edge / 12}, Extent::full);
   vanishes(rung, "linear field, ring disc, surfaces included", error_of(disc, linear()).anywhere / scale, 1e-12);
   vanishes(rung, "linear field, distorted hexes, one point", hex_error<OnePoint>(6, 0.2, linear()) / scale, 1e-12);

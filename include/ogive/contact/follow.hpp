@@ -15,13 +15,10 @@
 
 namespace ogive {
 
-/// Books the work that the force on slave `s` did since the middle of the last step of `dt` (s), and ends the force.
+/// Books the work that the forces on slave `s` did since the middle of the last step of `dt` (s), and ends them.
 template <class T> void settle(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s, T dt) {
-  const ContactForce<T> before = std::exchange(contact.forces[s], {});
-  if (before.facet < 0) return;
-  const Vec3<T> v = relative_velocity(contact, nodes, s, before);
-  contact.normal_energy[s] -= T(0.5) * dt * v.dot(before.normal);
-  contact.friction_energy[s] -= T(0.5) * dt * v.dot(before.friction);
+  add_half_work(contact, nodes, s, std::exchange(contact.forces[s], {}), dt);
+  if (!contact.opposite.empty()) add_half_work(contact, nodes, s, std::exchange(contact.opposite[s], {}), dt);
 }
 
 /// Takes the masses that the slaves have now. A slave without mass is let go. One that had none is new: it may overlap

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ogive {
 
@@ -33,9 +34,10 @@ template <class T> struct NearestFacet {
 };
 
 /// Closest point of the candidate facets to `p` (m), where slave `a` of the active list is, if nearer than `limit` (m).
+/// With `across`, a unit vector out of a facet that touches `p`, only points on the other side of `p` count.
 template <class T>
-NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p,
-                             T limit) {
+NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p, T limit,
+                             const std::optional<Vec3<T>> &across = {}) {
   FacetPoint<T> best;
   T best_alignment{};
   Index facet = -1;
@@ -45,6 +47,7 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     std::array<Vec3<T>, 4> corner;
     for (int c = 0; c < 4; ++c) corner[c] = nodes.position[contact.facets[f].nodes[c]];
     const FacetPoint<T> point = closest_on_facet(p, corner);
+    if (across && across->dot(p - point.position) > T(-0.3) * std::sqrt(point.distance_squared)) continue;
     const T alignment = std::abs(point.normal.dot(p - point.position));
     const T tie = T(1e-6) * (best.distance_squared + point.distance_squared);
     if (facet < 0 || point.distance_squared < best.distance_squared - tie ||
@@ -58,23 +61,26 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
   if (facet < 0) return {};
   // On a convex surface, where few slaves are inside, one that seems outside by the nearest facet is outside.
   const bool seems_outside = best.normal.dot(p - best.position) >= T(0);
-  const bool outside =
-      (seems_outside && !contact.follows) || is_outside(contact, nodes, a, p, std::sqrt(best.distance_squared));
+  const bool outside = across || (seems_outside && !contact.follows)
+                           ? seems_outside
+                           : is_outside(contact, nodes, a, p, std::sqrt(best.distance_squared));
   return {facet, best, outside};
 }
 
 /// How a slave touches the surface. At an edge or corner the direction is that from the surface to the slave, so that
-/// it turns smoothly around the edge; in a mirror plane it stays in the plane.
-template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
+/// it turns smoothly around the edge; in a mirror plane it stays in the plane. `across` as in find_nearest().
+template <class T>
+Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a,
+                    const std::optional<Vec3<T>> &across = {}) {
   const Index slave = contact.active[a];
   const Vec3<T> p = on_model_side(contact, nodes, slave);
   const T offset = contact.present_offset.empty() ? contact.offset[slave] : contact.present_offset[slave];
   // One that began inside is lost if it gets deeper than there by as much as the others may.
   const T deepest = contact.search_margin - std::min(offset, T(0));
-  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[slave] + deepest);
+  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[slave] + deepest, across);
   const Index facet = nearest.facet;
   const FacetPoint<T> &best = nearest.point;
-  if (facet < 0) return {};
+  if (facet < 0 || (across && !nearest.outside)) return {};
   const Vec3<T> gap = p - best.position;
   const T distance = std::sqrt(best.distance_squared);
   const bool outside = nearest.outside;
@@ -135,6 +141,15 @@ template <class T> void grow_offset(NodeToSurface<T> &contact, const Nodes<T> &n
   present = std::max(present, nearest.facet < 0 ? full : std::min(full, nearest.gap()));
 }
 
+/// Adds half of the work of a force on slave `s` over `dt` (s), done at the velocities now, to the ledger.
+template <class T>
+void add_half_work(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s, const ContactForce<T> &c, T dt) {
+  if (c.facet < 0) return;
+  const Vec3<T> v = relative_velocity(contact, nodes, s, c);
+  contact.normal_energy[s] -= T(0.5) * dt * v.dot(c.normal);
+  contact.friction_energy[s] -= T(0.5) * dt * v.dot(c.friction);
+}
+
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come
 /// is `next`) to the ledger (trapezoidal rule between the forces before and now).
 template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt, T next) {
@@ -151,8 +166,12 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
 
   parallel_for(static_cast<Index>(contact.active.size()), [&](Index a) {
     const Index s = contact.active[a], node = contact.slaves[s];
-    const ContactForce<T> before = contact.forces[s];
-    ContactForce<T> now;
+    ContactForce<T> now, opposite;
+    const auto force_of = [&](const Touch<T> &touch) {
+      const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
+      return contact_force(touch, contact.options, velocity, penalty_mass(contact, s, touch),
+                           contact.reference_time_step);
+    };
     if (!contact.present_offset.empty()) grow_offset(contact, nodes, a);
     if (const Touch<T> touch = find_touch(contact, nodes, a); touch.lost) {
       if (contact.options.may_bury)
@@ -160,27 +179,34 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
       else
         now.lost = contact.slave_mass[s] > T(0); // what has been let go may be anywhere
     } else if (touch.facet >= 0) {
-      const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
-      now =
-          contact_force(touch, contact.options, velocity, penalty_mass(contact, s, touch), contact.reference_time_step);
+      now = force_of(touch);
+      // In a gap narrower than the sphere, the nearer wall alone would throw the slave to and fro between both.
+      if (!contact.opposite.empty() && contact.offset[s] > T(0))
+        if (const Touch<T> other = find_touch<T>(contact, nodes, a, reflected(touch.direction, touch.reflection));
+            other.facet >= 0)
+          opposite = force_of(other);
     }
-    for (const ContactForce<T> &c : {before, now}) {
-      if (c.facet < 0) continue;
-      const Vec3<T> v = relative_velocity(contact, nodes, s, c);
-      contact.normal_energy[s] -= T(0.5) * dt * v.dot(c.normal);
-      contact.friction_energy[s] -= T(0.5) * dt * v.dot(c.friction);
-    }
+    add_half_work(contact, nodes, s, contact.forces[s], dt);
+    add_half_work(contact, nodes, s, now, dt);
     contact.forces[s] = now;
     nodes.force[node] += now.normal + now.friction;
+    if (contact.opposite.empty()) return;
+    add_half_work(contact, nodes, s, contact.opposite[s], dt);
+    add_half_work(contact, nodes, s, opposite, dt);
+    contact.opposite[s] = opposite;
+    nodes.force[node] += opposite.normal + opposite.friction;
   });
 
   // Masters share nodes; the slaves in contact are few, so one thread hands over their reactions in a fixed order.
-  for (Index s : contact.active) {
-    const ContactForce<T> &c = contact.forces[s];
-    if (c.lost && contact.lost < 0) contact.lost = s;
-    if (c.facet < 0) continue;
+  const auto hand_over = [&](const ContactForce<T> &c) {
+    if (c.facet < 0) return;
     const Vec3<T> reaction = reflected<T>(c.normal + c.friction, c.reflection);
     for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
+  };
+  for (Index s : contact.active) {
+    if (contact.forces[s].lost && contact.lost < 0) contact.lost = s;
+    hand_over(contact.forces[s]);
+    if (!contact.opposite.empty()) hand_over(contact.opposite[s]);
   }
 }
 

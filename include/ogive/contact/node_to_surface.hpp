@@ -46,9 +46,10 @@ template <class T> struct NodeToSurface {
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
   T reference_time_step{};                   ///< s, of the stiffness; 0: that of the first step
   std::vector<ContactForce<T>> forces;       ///< one for each slave
-  std::vector<T> normal_energy;              ///< J, work taken by the penalty springs, one for each slave
-  std::vector<T> friction_energy;            ///< J, one for each slave
-  Index lost = -1;                           ///< the first slave that got lost behind the surface; -1: none
+  std::vector<ContactForce<T>> opposite; ///< the same from across, on slaves in gaps; empty: gaps are not looked for
+  std::vector<T> normal_energy;          ///< J, work taken by the penalty springs, one for each slave
+  std::vector<T> friction_energy;        ///< J, one for each slave
+  Index lost = -1;                       ///< the first slave that got lost behind the surface; -1: none
 
   T search_margin{};                  ///< m, how far slave and facet may approach before the next search
   std::vector<Vec3<T>> searched_at;   ///< positions of all nodes at the last search, m

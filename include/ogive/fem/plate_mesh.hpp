@@ -18,7 +18,7 @@ namespace ogive {
 /// A round plate of hexes, between z = 0 and -thickness.
 template <class T> struct PlateShapeOfHexes {
   T struck_radius{};  ///< of the projectile: one ring of hexes lies astride it, m
-  T fine_radius{};    ///< rings are as wide as the hexes are high up to here, m
+  T fine_radius{};    ///< rings are about as wide as the hexes are high up to here, m
   T outer_radius{};   ///< clamp, m
   T thickness{};      ///< m
   T size{};           ///< edge of the hexes asked for, m
@@ -30,8 +30,9 @@ template <class T> Index layers(const PlateShapeOfHexes<T> &shape) {
   return std::max(Index(2), static_cast<Index>(std::lround(shape.thickness / shape.size)));
 }
 
-/// One conforming mesh: an O-grid up to the ring astride the projectile's edge, rings of the hexes' own size, then
-/// rings that grow out to the clamp. All hexes below the projectile are near cubes. Throws SetupError for a dimension
+/// One conforming mesh: an O-grid up to the ring astride the projectile's edge, which is as wide as the hexes are high,
+/// rings of about that size, then rings that grow out to the clamp. All hexes below the projectile are near cubes. The
+/// plug is sheared off in that one ring: its width decides how much work that takes. Throws SetupError for a dimension
 /// out of range.
 template <class T> HexMesh<T> plate_mesh(const PlateShapeOfHexes<T> &shape, Extent extent) {
   require(shape.size > T(0) && shape.size <= shape.struck_radius / T(2), "hex size (m)", shape.size,
@@ -39,20 +40,21 @@ template <class T> HexMesh<T> plate_mesh(const PlateShapeOfHexes<T> &shape, Exte
   require(shape.thickness > T(0), "plate thickness (m)", shape.thickness, "must be positive");
   require(shape.fine_radius > shape.struck_radius + shape.size && shape.outer_radius > shape.fine_radius,
           "radius of the fine hexes (m)", shape.fine_radius, "must lie between projectile and clamp");
-  const T inside = shape.struck_radius - T(0.5) * shape.size;
-  std::vector<T> radii;
+  OGridCounts n;
+  n.along = layers(shape);
+  const T size = shape.thickness / T(n.along);
+  const T inside = shape.struck_radius - T(0.5) * size;
+  std::vector<T> radii = {inside + size};
   const auto append = [&](const std::vector<T> &stations) {
-    const T from = radii.empty() ? inside : radii.back();
+    const T from = radii.back();
     for (std::size_t k = 1; k < stations.size(); ++k) radii.push_back(from + stations[k]);
   };
-  append(graded_stations(shape.fine_radius - inside, shape.size, T(1), shape.size));
-  append(graded_stations(shape.outer_radius - radii.back(), shape.growth * shape.size, shape.growth,
+  append(graded_stations(shape.fine_radius - radii.back(), size, T(1), size));
+  append(graded_stations(shape.outer_radius - radii.back(), shape.growth * size, shape.growth,
                          std::numeric_limits<T>::max()));
 
-  OGridCounts n;
   const auto at_least = [](Index least, T value) { return std::max(least, static_cast<Index>(std::lround(value))); };
-  n.core = at_least(2, std::numbers::pi_v<T> / T(4) * inside / shape.size);
-  n.along = layers(shape);
+  n.core = at_least(2, std::numbers::pi_v<T> / T(4) * inside / size);
   // Outline and shell between near cubes and the largest stable step.
   const CoreOutline<T> core{T(0.7), T(0.86), T(1)};
   const Index between = at_least(1, T(0.31) * T(n.core));

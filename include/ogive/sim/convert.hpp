@@ -44,7 +44,8 @@ template <class Particles> bool is_converted(const Particles &particles, Index e
   return e < particles.points.size() && !is_unborn(particles, e);
 }
 
-/// True if hex e is about to lose its volume or holds up the time step, so that it must go before it fails.
+/// True if hex e is about to lose its volume, is folded or holds up the time step, so that it must go before it fails:
+/// the faces of a folded one pass through each other and have no outside.
 template <class T, class Law, class Rule>
 bool is_too_distorted(const HexBody<T, Law, Rule> &hexes, const Nodes<T> &nodes, Index e,
                       const ConversionOptions<T> &options, T spacing) {
@@ -54,7 +55,8 @@ bool is_too_distorted(const HexBody<T, Law, Rule> &hexes, const Nodes<T> &nodes,
         density <= T(0) || density > options.largest_compression * hexes.metal.density)
       return true;
   if (hexes.points.plastic_strain[e * Rule::points] < options.least_strain_to_look_at) return false;
-  if (!(hex_volume<T>(gather_corners(nodes.position, hexes.hexes[e])) > T(0))) return true;
+  const Corners<T> x = gather_corners(nodes.position, hexes.hexes[e]);
+  if (!(hex_volume<T>(x) > T(0)) || !(smallest_corner_jacobian<T>(x) > T(0))) return true;
   return stable_time_step_of_hex(hexes, nodes, e) < options.smallest_step * spacing / sound_speed(hexes.metal);
 }
 
@@ -208,6 +210,7 @@ template <class T, class... Bodies> void begin_conversion(const Conversion<T> &c
   for (auto &contact : model.contacts) {
     contact.follows = true;
     contact.present_offset = contact.offset;
+    contact.opposite.resize(contact.slaves.size());
     follow_slaves(contact, model.nodes, T(0));
   }
 }

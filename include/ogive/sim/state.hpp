@@ -64,6 +64,7 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     field("slave_mass", contact.slave_mass);
     field("reference_time_step", contact.reference_time_step);
     field("forces", contact.forces);
+    field("opposite forces", contact.opposite);
     field("normal_energy", contact.normal_energy);
     field("friction_energy", contact.friction_energy);
     field("lost", contact.lost);
