@@ -29,10 +29,9 @@ number() {
 
 # test_velocity name: of a measured shot; in brackets where it lies on the curve through the measured limit
 test_velocity() {
-  case $(value "$1" test_origin) in
-  measured | '') number "$1" test_residual_velocity_mps %.1f ;;
-  *) number "$1" test_residual_velocity_mps '(%.1f)' ;;
-  esac
+  local format=%.1f
+  if grep -qs '"test_origin": "Recht' "$folder/$1/summary.json"; then format='(%.1f)'; fi
+  number "$1" test_residual_velocity_mps "$format"
 }
 
 # row name text: one line of the table
