@@ -10,7 +10,9 @@ set(ogive_docs_sections)
 set(copy_results)
 if(EXISTS "${PROJECT_SOURCE_DIR}/docs/results/index.html")
   set(ogive_docs_sections results)
-  set(copy_results COMMAND ${CMAKE_COMMAND} -E copy_directory "${PROJECT_SOURCE_DIR}/docs/results" "${site}/results")
+  set(copy_results
+      COMMAND ${CMAKE_COMMAND} -E copy_directory "${PROJECT_SOURCE_DIR}/docs/results" "${site}/results"
+      COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/docs/doxygen/link_results.py" "${site}/results/index.html")
 endif()
 configure_file(docs/doxygen/Doxyfile.in "${ogive_docs_folder}/Doxyfile" @ONLY)
 
