@@ -34,3 +34,16 @@ if(Python3_FOUND)
   add_test(NAME "package:broken links of a site are found"
            COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/package/links_test.py")
 endif()
+
+find_package(Doxygen 1.9 QUIET)
+find_path(mathjax_folder MathJax.js PATHS /usr/share/javascript/mathjax /usr/share/mathjax NO_DEFAULT_PATH)
+if(Python3_FOUND AND Doxygen_FOUND AND mathjax_folder)
+  add_test(
+    NAME "package:the website has no broken link and no undocumented name"
+    COMMAND
+      ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR} ${work}/website --build-generator ${CMAKE_GENERATOR}
+      --build-target docs --build-options -D OGIVE_BUILD_DOCS=ON -D OGIVE_BUILD_APPS=OFF -D OGIVE_BUILD_TESTS=OFF -D
+      OGIVE_BUILD_BENCH=OFF -D OGIVE_BUILD_EXAMPLES=OFF)
+else()
+  message(STATUS "The test of the website is left out: it needs Doxygen 1.9, MathJax and Python 3.11")
+endif()
