@@ -162,7 +162,8 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);
   f(Entry{plate,
           "layers_mm",
-          "thicknesses of several plates behind each other, from front to rear, instead of --thickness-mm; one alone with "
+          "thicknesses of several plates behind each other, from front to rear, instead of --thickness-mm; one alone "
+          "with "
           "--method adaptive",
           "none: one plate",
           {0.5, 100, "mm"}},
