@@ -108,8 +108,7 @@ std::string case_title(const Options &o, const Shot &s) {
   if (!o.layers_mm.empty()) sizes = joined(o.layers_mm, " + ") + " mm, ";
   if (target_depth_mm(o) > o.thickness_mm) sizes += joined(o.gaps_mm, ", ") + " mm apart, ";
   return s.material + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes +
-         shortest(o.velocity_mps) + " m/s" +
-         (o.obliquity_deg == 0 ? "" : " at " + shortest(o.obliquity_deg) + " deg") +
+         shortest(o.velocity_mps) + " m/s" + (o.obliquity_deg == 0 ? "" : " at " + shortest(o.obliquity_deg) + " deg") +
          (o.method == Method::sfm ? "" : ", " + choice_name(o.method));
 }
 
