@@ -75,10 +75,11 @@ def limits_differ(check):
 def every_row(check):
     quantity, per = check.value("quantity", str), check.value("per")
     factor = 100 if check.unit_of_quantity() == "percent" else 1
-    if not check.results.shots:
+    shots = [row for row in check.results.shots if row["method"] == check.value("method", str)]
+    if not shots:
         raise Missing("no shots")
     return [(factor * check.column(row, quantity) / (check.column(row, per) if per else 1), shot_text(row))
-            for row in check.results.shots]
+            for row in shots]
 
 
 def perforating_velocities(check):
