@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # beyond.sh [folder]: the shots behind docs/beyond.md, --method stabilised: the 12 mm plate that its parameters were
 # chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
-# --method adaptive (PART=adaptive: these alone). Shots that the folder holds already are not run again; READ_ONLY=1 runs
+# --method adaptive (PART=adaptive: these alone), and what its limits at 6 and 12 mm depend on (PART=damage). Shots that the folder holds already are not run again; READ_ONLY=1 runs
 # none. Prints tables in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -78,7 +78,58 @@ adaptive_tables() {
   done
 }
 
+# limit thickness name [option]...: the middle of the bracket, m/s
+limit() {
+  local out=$folder/limit_$1mm_$2
+  if [ ! -e "$out/limit_fit.csv" ] && [ -z "${READ_ONLY:-}" ]; then
+    "$root/scripts/with_display.sh" "${PERFORATE:-$root/build/release/apps/perforate}" limit --method adaptive --quiet --no-vtk \
+      --no-picture --spacing-mm 1.2 --thickness-mm "$1" --velocity-mps $((80 + 9 * $1)) --out "$out" "${@:3}" \
+      > "$out.log" 2>&1 || echo "$out ended with status $?: see $out.log" >&2
+  fi
+  sed -nE 's/^  limit by bisection +([0-9.]+) .*/\1/p' "$out.log" 2> /dev/null
+}
+
+limits() { # name text [option]...
+  local thin thick
+  thin=$(limit 6 "$1" "${@:3}")
+  thick=$(limit 12 "$1" "${@:3}")
+  [ -n "$thin" ] && [ -n "$thick" ] || return 0
+  echo "| $2 | $thin | $thick | $(awk "BEGIN { printf \"%.2f\", $thin / $thick }") |"
+}
+
+damage_tables() {
+  echo 'Hexes that turn into particles, hexes of 1.2 mm: limits by bisection to 2.5 m/s.'
+  echo
+  echo '| case | 6 mm, m/s | 12 mm, m/s | 6 mm over 12 mm |'
+  echo '|---|---|---|---|'
+  awk -F, '/,Weldox 460 E,blunt,(6|12),/ { limit[$4] = $5 }
+    END { printf "| tests | %.1f | %.1f | %.2f |\n", limit[6], limit[12], limit[6] / limit[12] }' \
+    "$root/apps/data/experiment_limits.csv"
+  # Of the same steel; D1 to D3 read in a transcription, D4 and D5 quoted.
+  local dey=$folder/weldox_460e_dey_2004.toml metal
+  limits base 'as it is'
+  metal=$(find "$folder/limit_12mm_base" -name material.toml | sort | head -n 1)
+  [ -z "$metal" ] || sed -E 's/^(name = ).*/\1"weldox_460e_dey_2004"/; s/^(source = ).*/\1"D1 to D5 of Dey 2004"/
+    s/^D1 = .*/D1 = 0.636/; s/^D2 = .*/D2 = 1.936/; s/^D3 = .*/D3 = -2.969/; s/^D4 = .*/D4 = -0.014/; s/^D5 = .*/D5 = 1.014/' \
+    "$metal" > "$dey"
+  limits softening_0 'Dc 0' --damage-softening 0
+  limits softening_0.6 'Dc 0.6' --damage-softening 0.6
+  limits softening_1 'Dc 1' --damage-softening 1
+  limits length_0.42 'ℓ 0.42 mm' --damage-length-mm 0.42
+  limits rigid 'rigid projectile' --projectile rigid
+  limits clamp 'clamped at 125 mm' --clamp-radius-mm 125
+  limits friction 'friction 0.1' --friction 0.1
+  [ -e "$dey" ] || return 0
+  limits dey 'D1 to D5 of Dey 2004' --material "$dey"
+  limits dey_length_0.2 'the same, ℓ 0.2 mm' --material "$dey" --damage-length-mm 0.2
+  limits dey_softening_1 'the same, Dc 1' --material "$dey" --damage-softening 1
+}
+
 made_by beyond.sh
+if [ "${PART:-}" = damage ]; then
+  damage_tables
+  exit
+fi
 if [ "${PART:-}" = adaptive ]; then
   adaptive_tables
   exit
@@ -125,3 +176,5 @@ both 'rigid' 'rigid projectile' --projectile rigid
 both 'removal' 'failed particles removed' --failure removal
 echo
 adaptive_tables
+echo
+damage_tables

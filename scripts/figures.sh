@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# figures.sh [--quick] [--page] [--method NAME] [--jobs N]: runs or resumes all shots of the paper's figures, draws them
+# figures.sh [--quick] [--page] [--published] [--method NAME] [--jobs N]: runs or resumes all shots of the paper's figures, draws them
 # and makes the page docs/results/index.html.
 #   --quick        coarse: particles 1.5 mm apart, in vtk_out/figures_quick; the page goes to its folder page/
 #   --page         runs no shots; draws what is missing and makes the page
+#   --published    takes the shots and pictures of the page as done, which the project holds for the full size, and runs
+#                  what it lacks, but no shots for pictures
 #   --method NAME  runs the shots with this method, stabilised or adaptive, which adds its curves and pictures [sfm]
 #   --jobs N       shots at a time, as many as cores if not given
 # What is done already is not done again. Programs that fail do not stop the others; the exit status is then 3, and 2 for
@@ -15,11 +17,12 @@ refuse() {
   echo "figures: error: $1" >&2
   exit 2
 }
-quick="" page_only="" jobs="" method=sfm
+quick="" page_only="" published="" jobs="" method=sfm
 while [ $# -gt 0 ]; do
   case $1 in
     --quick) quick=yes ;;
     --page) page_only=yes ;;
+    --published) published=yes ;;
     --method)
       [[ ${2:-} =~ ^(sfm|stabilised|adaptive)$ ]] || refuse "--method = ${2:-}: must be sfm, stabilised or adaptive"
       method=$2
@@ -34,7 +37,7 @@ while [ $# -gt 0 ]; do
       sed -n '3,/^set /{s/^# \{0,1\}//p}' "$0"
       exit 0
       ;;
-    *) refuse "$1: unknown option; there are --quick, --page, --method NAME, --jobs N and --help" ;;
+    *) refuse "$1: unknown option; there are --quick, --page, --published, --method NAME, --jobs N and --help" ;;
   esac
   shift
 done
@@ -68,8 +71,10 @@ attempt() {
   [ "$status" -eq 0 ] || failed+=("$1 (exit status $status)")
 }
 
+[ -z "$published" ] || scripts/take_published.py "$page" "$figures"
+
 campaign() { # name [option]...
-  "$programs/$1" ${quick:+--quick} --method "$method" --out "$figures" --spacing-mm "$spacing" "${@:2}"
+  "$programs/$1" ${quick:+--quick} ${published:+--no-pictures} --method "$method" --out "$figures" --spacing-mm "$spacing" "${@:2}"
 }
 for name in "${campaigns[@]}"; do
   if [ -n "$page_only" ]; then

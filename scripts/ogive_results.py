@@ -26,7 +26,7 @@ DATA = ROOT / "apps" / "data"
 KEY_COLUMNS = ("method", "model", "material", "nose", "thickness_mm", "initial_velocity_mps", "spacing_mm")
 SERIES_COLUMNS = ("method", "model", "material", "nose", "thickness_mm", "spacing_mm")
 # What tells of the computation and not of the plate.
-RECORD_COLUMNS = ("wall_s", "cpu_s", "threads", "steps", "state_hash", "version")
+RECORD_COLUMNS = ("steps", "wall_s", "cpu_s", "threads", "state_hash", "version")
 TEXT_COLUMNS = {"method", "model", "material", "nose", "state_hash", "version", "fit_a_origin", "fit_p_origin",
                 "series", "source", "confidence", "what", "app", "use", "fit", "parameter"}
 SHOT_COLUMNS = KEY_COLUMNS + ("residual_velocity_mps", "perforated")
@@ -172,6 +172,12 @@ def read_limits(folder):
             if before is None or before.key(SERIES_COLUMNS) != row.key(SERIES_COLUMNS)]
 
 
+def ended_by_time(shot):
+    """Whether a shot ran up to the end that perforate sets if nothing ends it before (default_end_us)."""
+    end_us = 500 if shot["nose"] == "blunt" else 1500
+    return (shot.get("simulated_us") or 0) >= end_us
+
+
 def bracket_of(shots):
     """Highest velocity that was stopped below the lowest that perforated, and that one; None where there is none."""
     lowest = min((s["initial_velocity_mps"] for s in shots if s["perforated"]), default=None)
@@ -191,12 +197,11 @@ PROJECTILE_COLUMNS = ("nose", "spacing_mm", "projectile_mass_g", "added_mass_g")
 
 
 def read_projectiles(folder):
-    """Rows of PROJECTILE_COLUMNS, from projectiles.csv or else from the shots' summaries: one for each nose and
-    particle distance, which gives the size of its hexes."""
+    """Rows of PROJECTILE_COLUMNS, from projectiles.csv and the shots' summaries: one for each nose and particle
+    distance, which gives the size of its hexes."""
     file = Path(folder) / "projectiles.csv"
-    if file.exists():
-        return read_table(file, PROJECTILE_COLUMNS)
-    found = {}
+    known = read_table(file, PROJECTILE_COLUMNS) if file.exists() else []
+    found = {row.key(("nose", "spacing_mm")): row for row in known}
     for summary in sorted(Path(folder).glob("shots/*/summary.json")):
         # The summary has the particle distance that fits the plate; what was asked for ends the folder's name.
         asked = re.search(r"_([0-9.]+)mm$", summary.parent.name)

@@ -283,7 +283,7 @@ def record_section(page):
         return escape(", ".join(map(str, value)) if isinstance(value, list) else f"{value}{unit}")
 
     rows = [["ogive", said("version")], ["compiler", said("compiler")], ["build type", said("build_type")],
-            ["flags", f'<code>{said("flags")}</code>'], ["CPU", said("cpu_model")], ["cores", said("cores")],
+            ["flags", f'<code>{said("flags")}</code>'], ["CPU", said("cpu_models")], ["cores", said("cores")],
             ["shots", said("shots")], ["threads of a shot", said("threads")],
             ["processor time of all shots", said("core_minutes", " min")]]
     shots = [[escape(shot_text(s)), short(s["residual_velocity_mps"]), short(s.get("cpu_s"), 3),
@@ -291,7 +291,8 @@ def record_section(page):
              for s in page.results.shots]
     return "\n".join([
         "<h2 id=record>Run record</h2>", table(["", ""], rows),
-        "<p class=note>CPU and compiler are those of the machine and build that made this page.</p>",
+        "<p class=note>Compiler and cores are those of the machine and build that made this page, CPUs those of all that "
+        "made it. Other CPUs may give other last bits.</p>",
         f"<details><summary>All {len(shots)} shots</summary>",
         table(["shot", "residual, m/s", "processor time, s", "threads", "steps", "hash of the final state"], shots,
               numbers=(1, 2, 3, 4)), "</details>",

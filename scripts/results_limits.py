@@ -1,9 +1,10 @@
 """The sections of the page of results that compare ballistic limits."""
 
 from accept import summary
-from acceptance_kinds import percent_of
+from acceptance_kinds import percent_of, shot_text
 from html_text import escape, from_markdown_line, plus_minus, signed, status, table
-from ogive_results import KEY_COLUMNS, LAWS, SERIES_COLUMNS, bracket_of, half_width_mps, metal_of, short
+from ogive_results import (KEY_COLUMNS, LAWS, SERIES_COLUMNS, bracket_of, ended_by_time, half_width_mps, metal_of,
+                           short)
 
 
 def test_limit_of(page, metal, nose, thickness_mm):
@@ -51,6 +52,9 @@ def limits_section(page):
              "errors. Paper: the strike velocity that it names as close to its limit."]
     if odd:
         notes.append("† A shot was stopped above one that perforated.")
+    late = [f"{shot_text(s)}: {short(s['residual_velocity_mps'])} m/s" for s in page.results.shots if ended_by_time(s)]
+    if late:
+        notes.append(f"Ended because time was up, undecided but for the rule in docs/method.md: {'; '.join(late)}.")
     notes += [line + "." for line in stale_limits(page.results)]
     body = table(["plate", "law", "bisection, m/s", "fit v_bl, m/s", "a", "p", "fit − bisection, m/s", "shots",
                   "test, m/s", "off, %", "paper, m/s", "off, %"], rows, numbers=range(2, 12)) if rows else (

@@ -60,16 +60,18 @@ def flags_of(build):
     return " ".join(filter(None, (cache.get(name) for name in names))) or None
 
 
-def cpu_model():
+def cpu_models(before):
+    """This machine's and those of a record before: rows of several machines may stand on one page."""
     try:
         text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
     except OSError:
-        return None
+        text = ""
     found = re.search(r"^model name\s*:\s*(.*)$", text, re.MULTILINE)
-    return found[1].strip() if found else None
+    known = ogive_results.read_json(before).get("cpu_models", []) if before.exists() else []
+    return sorted({*known, *([found[1].strip()] if found else [])})
 
 
-def run_record(results, build):
+def run_record(results, build, before):
     shots = results.shots
     seconds = sum(s["cpu_s"] for s in shots if s.get("cpu_s"))
     cache = cache_values(build)
@@ -78,7 +80,7 @@ def run_record(results, build):
         "compiler": compiler_of(build),
         "build_type": cache.get("CMAKE_BUILD_TYPE"),
         "flags": flags_of(build),
-        "cpu_model": cpu_model(),
+        "cpu_models": cpu_models(before),
         "cores": os.cpu_count(),
         "shots": len(shots),
         "threads": sorted({int(s["threads"]) for s in shots if s.get("threads")}),
@@ -139,7 +141,7 @@ def main():
 
     o.out.mkdir(parents=True, exist_ok=True)
     write_tables(results, o.out)
-    record = run_record(results, o.build)
+    record = run_record(results, o.build, o.out / "run_record.json")
     write_text(o.out / "run_record.json", json.dumps(record, indent=2, ensure_ascii=False) + "\n")
     pictures = copy_pictures(facts, o.folder, o.out)
     page = results_html.Page(facts, results, tests, checks, beyond, {**record, "usual_spacing_mm": usual_mm}, spacing_mm,

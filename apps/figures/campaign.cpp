@@ -51,6 +51,7 @@ std::vector<input::Flag> flags(const Campaign &campaign) {
           {"shard", "I/N"},
           {"run", "", Flag::none},
           {"limits", "", Flag::none},
+          {"pictures", "", Flag::none},
           {"out", "the name of a folder"},
           {"perforate", "the name of a program"}};
 }
@@ -74,6 +75,7 @@ std::string help(const Campaign &campaign) {
               "run only the I-th of N parts, for several machines: the shots of a plate, nose and law stay "
               "together; draws nothing") +
          item("no_run", "only draw what is known") + item("no_limits", "without bisection of the ballistic limits") +
+         item("no_pictures", "without the shots that are for pictures alone, and without frames") +
          item("out FOLDER", "for rows, shots and pictures; programs and shards may share it [vtk_out/figures]") +
          item("perforate PROGRAM", "that runs a shot [the one beside this program]");
 }
@@ -94,6 +96,7 @@ void apply(Options &o, const Campaign &campaign, const Given &given) {
   if (given.key == "quick") o.quick = input::truth_given(given);
   if (given.key == "run") o.run = input::truth_given(given);
   if (given.key == "limits") o.limits = input::truth_given(given);
+  if (given.key == "pictures") o.pictures = input::truth_given(given);
   if (given.key == "spacing_mm") o.spacing_mm = input::number_within(given, spacing_limits);
   if (given.key == "jobs") o.jobs = whole_number(given, 1, 1000);
   if (given.key == "out") o.out = input::line_given(given, "the name of a folder");
@@ -236,8 +239,9 @@ std::vector<ListedShot> listed_shots(const Campaign &campaign, const Options &o,
         throw ogive::SetupError(file.string() + ": figure, thickness_mm and initial_velocity_mps must be numbers");
       if (row[1] != campaign.name || (row[3] != "both" && row[3] != model)) continue;
       ListedShot shot{static_cast<int>(*figure), row[2] == "picture", {}};
+      if (shot.picture && !o.pictures) continue;
       shot.task.key = {o.method, model, row[4], row[5], *thickness, *velocity, o.spacing_mm};
-      shot.task.frames_us = ogive::number_from(row[8]).value_or(0);
+      if (o.pictures) shot.task.frames_us = ogive::number_from(row[8]).value_or(0);
       // Fig. 9 and 13 are the limits of the plates of Fig. 6 and 12.
       const bool limits_too = !shot.picture && o.figure &&
                               *o.figure == (shot.figure == 6    ? 9

@@ -25,8 +25,9 @@ struct Options {
   int jobs = 1;  ///< shots at a time
   int shard = 1; ///< this part of `shards`
   int shards = 1;
-  bool run = true;    ///< run what is missing
-  bool limits = true; ///< bisection of the ballistic limits
+  bool run = true;      ///< run what is missing
+  bool limits = true;   ///< bisection of the ballistic limits
+  bool pictures = true; ///< shots that are for pictures alone, and frames
   std::filesystem::path out = "vtk_out/figures";
   std::filesystem::path perforate; ///< the program; next to this one unless given
 };

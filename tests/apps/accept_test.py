@@ -13,7 +13,7 @@ sys.path.insert(0, str(SCRIPTS))
 
 from accept import Bound, Result, status_of_figure  # noqa: E402
 from html_text import from_markdown  # noqa: E402
-from ogive_results import read_shots, short  # noqa: E402
+from ogive_results import ended_by_time, read_shots, short  # noqa: E402
 
 SHOT_HEADER = ("method,model,material,nose,thickness_mm,initial_velocity_mps,spacing_mm,residual_velocity_mps,"
                "perforated,plug_thickness_mm,energy_error,largest_intrusion_mm,particles,steps,wall_s,cpu_s,threads,"
@@ -255,6 +255,18 @@ class Page(Folders):
         self.require_refused(run("results_page.py", self.folder / "none", self.folder / "page"), "holds no shots*.csv")
         self.assertFalse((self.folder / "page").exists())
 
+    def test_shots_of_a_page_go_back_to_a_campaign(self):
+        page, again = self.folder.parent / "page", self.folder.parent / "again"
+        (self.folder / "figure_6.svg").write_text("<svg/>")
+        for arguments in (("results_page.py", self.folder, page), ("take_published.py", page, again)):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((again / "shots_published.csv").read_text(), (self.folder / "shots.csv").read_text())
+        self.assertTrue((again / "figure_6.svg").exists())
+        record = page / "run_record.csv"
+        record.write_text(record.read_text().splitlines()[0] + "\n")
+        self.require_refused(run("take_published.py", page, again), "has no row in")
+
 
 class Parts(unittest.TestCase):
     def test_bounds(self):
@@ -291,6 +303,11 @@ class Parts(unittest.TestCase):
         self.assertIn('<p>A <code>b|c</code> and <a href="../x.md">link</a>.</p>', text)
         self.assertIn("<td>1 | 2</td><td><strong>3</strong></td>", text)
         self.assertNotIn("href", from_markdown("[link](x.md)"))
+
+    def test_shots_that_end_with_the_time(self):
+        for nose, simulated_us, ended in (("blunt", 500.01, True), ("blunt", 499.9, False), ("conical", 600, False),
+                                          ("conical", 1500.005, True), ("blunt", None, False)):
+            self.assertEqual(ended_by_time({"nose": nose, "simulated_us": simulated_us}), ended)
 
     def test_rows_without_end_are_passed_over(self):
         with tempfile.TemporaryDirectory() as folder:

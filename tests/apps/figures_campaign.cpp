@@ -157,3 +157,16 @@ TEST_CASE("Three shards, one after another or at once, and two whole runs at onc
   CHECK(one_by_one.starts() == before);
   CHECK(fs::exists(one_by_one.workshop.out / "nose_shapes_limits.csv"));
 }
+
+TEST_CASE("Rows without frames are enough where no pictures are asked for") {
+  // Steel, blunt: the list of Fig. 6 holds shots of Figs. 7, 8 and 10, whose pictures need frames.
+  Options with, without;
+  without.pictures = false;
+  const Campaign campaign{.name = "steel_blunt", .purpose = "", .figures = {6}, .plots = {}};
+  const auto framed = [](const ListedShot &shot) { return shot.picture || shot.task.frames_us > 0; };
+  const auto all = listed_shots(campaign, with, FIGURES_DATA_FOLDER);
+  const auto few = listed_shots(campaign, without, FIGURES_DATA_FOLDER);
+  CHECK(std::any_of(all.begin(), all.end(), framed));
+  CHECK(std::none_of(few.begin(), few.end(), framed));
+  CHECK(series_in(few) == series_in(all));
+}
