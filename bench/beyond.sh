@@ -105,24 +105,23 @@ damage_tables() {
   awk -F, '/,Weldox 460 E,blunt,(6|12),/ { limit[$4] = $5 }
     END { printf "| tests | %.1f | %.1f | %.2f |\n", limit[6], limit[12], limit[6] / limit[12] }' \
     "$root/apps/data/experiment_limits.csv"
-  # Of the same steel; D1 to D3 read in a transcription, D4 and D5 quoted.
-  local dey=$folder/weldox_460e_dey_2004.toml metal
+  # Of the same steel, as commonly quoted.
+  local older=$folder/weldox_460e_boervik_2001.toml metal
   limits base 'as it is'
   metal=$(find "$folder/limit_12mm_base" -name material.toml | sort | head -n 1)
-  [ -z "$metal" ] || sed -E 's/^(name = ).*/\1"weldox_460e_dey_2004"/; s/^(source = ).*/\1"D1 to D5 of Dey 2004"/
-    s/^D1 = .*/D1 = 0.636/; s/^D2 = .*/D2 = 1.936/; s/^D3 = .*/D3 = -2.969/; s/^D4 = .*/D4 = -0.014/; s/^D5 = .*/D5 = 1.014/' \
-    "$metal" > "$dey"
-  limits softening_0 'Dc 0' --damage-softening 0
-  limits softening_0.6 'Dc 0.6' --damage-softening 0.6
+  [ -z "$metal" ] || sed -E 's/^(name = ).*/\1"weldox_460e_boervik_2001"/; s/^(source = ).*/\1"D1 to D5 of Boervik et al. 2001"/
+    s/^D1 = .*/D1 = 0.0705/; s/^D2 = .*/D2 = 1.732/; s/^D3 = .*/D3 = -0.54/; s/^D4 = .*/D4 = -0.0123/; s/^D5 = .*/D5 = 0/' \
+    "$metal" > "$older"
+  limits softening_0.3 'Dc 0.3' --damage-softening 0.3
   limits softening_1 'Dc 1' --damage-softening 1
-  limits length_0.42 'ℓ 0.42 mm' --damage-length-mm 0.42
+  limits length_0.1 'ℓ 0.1 mm' --damage-length-mm 0.1
+  limits length_0.5 'ℓ 0.5 mm' --damage-length-mm 0.5
   limits rigid 'rigid projectile' --projectile rigid
   limits clamp 'clamped at 125 mm' --clamp-radius-mm 125
   limits friction 'friction 0.1' --friction 0.1
-  [ -e "$dey" ] || return 0
-  limits dey 'D1 to D5 of Dey 2004' --material "$dey"
-  limits dey_length_0.2 'the same, ℓ 0.2 mm' --material "$dey" --damage-length-mm 0.2
-  limits dey_softening_1 'the same, Dc 1' --material "$dey" --damage-softening 1
+  [ -e "$older" ] || return 0
+  limits older 'D1 to D5 of Børvik et al. 2001' --material "$older"
+  limits older_softening_0.3 'the same, Dc 0.3, ℓ 0.6 mm' --material "$older" --damage-softening 0.3 --damage-length-mm 0.6
 }
 
 made_by beyond.sh

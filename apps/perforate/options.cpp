@@ -199,7 +199,7 @@ Options parse_restart(const input::CommandLine &line, const Given &restart) {
 
 DamageLaw default_damage(Method method) { return method == Method::sfm ? DamageLaw::none : DamageLaw::johnson_cook; }
 
-double default_softening(Method method) { return method == Method::sfm ? 0 : ogive::softening_of_damage; }
+double default_softening(Method method) { return method == Method::sfm ? 0 : ogive::softening_of_damage(method); }
 
 double default_control_stiffness(Method method) { return ogive::options_of<double>(method).sph.control.stiffness; }
 

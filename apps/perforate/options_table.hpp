@@ -142,21 +142,21 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{plate,
           "damage_softening",
           "part of the flow stress that damage 1 takes away",
-          "0, 0.3 with the methods beyond the paper: Boervik et al. 2001",
+          "0, 0.3 with --method stabilised, 0.6 with --method adaptive: Boervik et al. 2001, ours",
           {0, 1, ""}},
     o.damage_softening);
   f(Entry{plate,
           "damage_length_mm",
           "particle distance for which the constants of damage hold; failure strains grow with finer ones; 0: hold for "
           "any",
-          "0, 0.56 with --method stabilised, 0.6 with --method adaptive: ours",
+          "0, 0.4 with --method stabilised, 0.22 with --method adaptive: ours",
           {0, 100, "mm"}},
     o.damage_length_mm);
   f(Entry{plate,
           "damage_length_exponent",
           "of --damage-length-mm over the particle distance in failure strains; 1 keeps the displacement that breaks a "
           "band, 0 the strain",
-          "1, 0.5 with --method adaptive: ours",
+          "1, 0.25 with --method adaptive: ours",
           {0, 2, ""}},
     o.damage_length_exponent);
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);

@@ -13,7 +13,8 @@
 namespace ogive::library {
 
 /// Elastic and thermal constants of Weldox 460 E (Liu et al. 2012, Table 1) with a flow law. Damage is off; its
-/// constants are those of Boervik, Hopperstad, Berstad & Langseth 2001 (as commonly quoted), W_cr follows from them.
+/// constants are those of Dey 2004 (D1 to D3 from a transcription, D4 and D5 as commonly quoted), W_cr follows from
+/// them.
 template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string source) {
   Metal<T, Law> m;
   m.name = "weldox_460e";
@@ -25,8 +26,8 @@ template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string so
   m.specific_heat = T(452);
   m.room_temperature = T(293);
   m.melting_temperature = T(1800);
-  m.source += "; D1 to D5 of Boervik, Hopperstad, Berstad & Langseth 2001 (quoted), W_cr from them";
-  m.damage.failure_strain = {T(0.0705), T(1.732), T(-0.54), T(-0.0123), T(0), T(5e-4)};
+  m.source += "; D1 to D5 of Dey 2004 (D1 to D3 transcribed, the rest quoted), W_cr from them";
+  m.damage.failure_strain = {T(0.636), T(1.936), T(-2.969), T(-0.014), T(1.014), T(5e-4)};
   m.damage.critical_work = critical_work_of_tension(m);
   return m;
 }

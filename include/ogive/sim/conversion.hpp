@@ -12,7 +12,7 @@ namespace ogive {
 template <class T> struct ConversionOptions {
   int every = 4;                      ///< steps between two looks; a failed hex carries nothing in the meantime
   T largest_compression = T(2);       ///< density over that of the undeformed metal; a hex beyond it is about to invert
-  T smallest_step = T(0.06);          ///< of a hex, over particle distance/sound speed; below it it is too distorted
+  T smallest_step = T(0.15);          ///< of a hex, over particle distance/sound speed; below it it is too distorted
   T least_strain_to_look_at = T(0.2); ///< plastic; hexes with less are not so distorted
 };
 
