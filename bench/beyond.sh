@@ -69,11 +69,12 @@ adaptive_tables() {
     adaptive "12mm_181.5_${size}mm_settled" "12 mm, hexes of $size mm, 2 ms more" --velocity-mps 181.5 \
       --spacing-mm "$size" --settle-us 2000
   done
-  local exponent
-  for exponent in 0 1; do
+  # Lengths with which failure strains at 0.6 mm are those of the exponent 1/4.
+  local pair
+  for pair in 0.5:0.363 1:0.467; do
     for size in 1.2 0.8; do
-      adaptive "12mm_244.2_${size}mm_exponent_$exponent" "12 mm, hexes of $size mm, exponent $exponent" \
-        --velocity-mps 244.2 --spacing-mm "$size" --damage-length-exponent "$exponent"
+      adaptive "12mm_244.2_${size}mm_exponent_${pair%:*}" "12 mm, hexes of $size mm, exponent ${pair%:*}, ℓ ${pair#*:} mm" \
+        --velocity-mps 244.2 --spacing-mm "$size" --damage-length-exponent "${pair%:*}" --damage-length-mm "${pair#*:}"
     done
   done
 }
