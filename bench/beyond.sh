@@ -113,6 +113,10 @@ damage_tables() {
   [ -z "$metal" ] || sed -E 's/^(name = ).*/\1"weldox_460e_boervik_2001"/; s/^(source = ).*/\1"D1 to D5 of Boervik et al. 2001"/
     s/^D1 = .*/D1 = 0.0705/; s/^D2 = .*/D2 = 1.732/; s/^D3 = .*/D3 = -0.54/; s/^D4 = .*/D4 = -0.0123/; s/^D5 = .*/D5 = 0/' \
     "$metal" > "$older"
+  if [ -e "$older" ]; then
+    limits older 'D1 to D5 of Børvik et al. 2001' --material "$older"
+    limits older_softening_0.3 'the same, Dc 0.3, ℓ 0.6 mm' --material "$older" --damage-softening 0.3 --damage-length-mm 0.6
+  fi
   limits softening_0.3 'Dc 0.3' --damage-softening 0.3
   limits softening_1 'Dc 1' --damage-softening 1
   limits length_0.1 'ℓ 0.1 mm' --damage-length-mm 0.1
@@ -120,9 +124,6 @@ damage_tables() {
   limits rigid 'rigid projectile' --projectile rigid
   limits clamp 'clamped at 125 mm' --clamp-radius-mm 125
   limits friction 'friction 0.1' --friction 0.1
-  [ -e "$older" ] || return 0
-  limits older 'D1 to D5 of Børvik et al. 2001' --material "$older"
-  limits older_softening_0.3 'the same, Dc 0.3, ℓ 0.6 mm' --material "$older" --damage-softening 0.3 --damage-length-mm 0.6
 }
 
 made_by beyond.sh
