@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # beyond.sh [folder]: the shots behind docs/beyond.md, --method stabilised: the 12 mm plate that its parameters were
 # chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
-# --method adaptive (PART=adaptive: these alone), and what its limits at 6 and 12 mm depend on (PART=damage). Shots that the folder holds already are not run again; READ_ONLY=1 runs
-# none. Prints tables in Markdown.
+# --method adaptive (PART=adaptive: these alone), and what its limits at 6 and 12 mm depend on (PART=damage). Shots that
+# the folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/beyond}

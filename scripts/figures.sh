@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# figures.sh [--quick] [--page] [--published] [--method NAME] [--jobs N]: runs or resumes all shots of the paper's figures, draws them
-# and makes the page docs/results/index.html.
+# figures.sh [--quick] [--page] [--published] [--method NAME] [--jobs N]: runs or resumes all shots of the paper's
+# figures, draws them and makes the page docs/results/index.html.
 #   --quick        coarse: particles 1.5 mm apart, in vtk_out/figures_quick; the page goes to its folder page/
 #   --page         runs no shots; draws what is missing and makes the page
 #   --published    takes the shots and pictures of the page as done, which the project holds for the full size, and runs
