@@ -38,8 +38,9 @@ double spacing_for(double particles) {
 /// One step, as run() does it.
 void advance(Shot &model) {
   ogive::Lap lap(model.times);
-  const double dt =
-      model.steps % ogive::RunOptions<double>{}.time_step_every == 0 ? ogive::stable_time_step(model) : model.last_step;
+  const double dt = ogive::is_time_step_due(model, ogive::RunOptions<double>{}.time_step_every)
+                        ? ogive::stable_time_step(model)
+                        : model.last_step;
   lap(Phase::checks);
   ogive::step(model, dt);
 }

@@ -60,6 +60,37 @@ TEMPLATE_TEST_CASE("one free hex: the step is safe and not wasteful", "[fem]", O
   }
 }
 
+TEST_CASE("neighbours of thin hexes share their nodes: the step of the mesh is longer than theirs, and safe", "[fem]") {
+  auto mesh = brick<double>(3, 3, 3, V::Constant(3));
+  // Alone at its nodes but for sound hexes: the middle one, 0.2 high. Or the whole layer of it.
+  const bool layer = GENERATE(true, false);
+  for (auto &p : mesh.positions) {
+    const bool inner = p[0] > 0.5 && p[0] < 2.5 && p[1] > 0.5 && p[1] < 2.5;
+    if (layer || inner) p[2] = p[2] > 0.5 && p[2] < 1.5 ? 1.4 : p[2] > 1.5 && p[2] < 2.5 ? 1.6 : p[2];
+  }
+  const auto s = solid<OnePoint>(mesh, inviscid<double>());
+  const double limit = 2 / highest_frequency<OnePoint>(mesh), step = stable_time_step(s.body, s.nodes);
+  const double alone = stable_time_step_of_hex(s.body, s.nodes, 13);
+  CHECK(step < limit);
+  CHECK(step > 1.4 * alone);
+}
+
+TEST_CASE("a removed hex has no part in the step: its mass may go at any time", "[fem]") {
+  auto mesh = brick<double>(1, 1, 2, V(1, 1, 1.1));
+  for (auto &p : mesh.positions) p[2] = p[2] > 0.1 && p[2] < 1 ? 0.1 : p[2];
+  auto steel_that_goes = steel<double>();
+  steel_that_goes.damage.effect = FailureEffect::removal;
+  auto s = solid<OnePoint>(mesh, inviscid<double>(), steel_that_goes);
+  const double together = stable_time_step(s.body, s.nodes), thin = stable_time_step_of_hex(s.body, s.nodes, 0),
+               cube = stable_time_step_of_hex(s.body, s.nodes, 1);
+  // The nodes of the thin hex's free face are its own.
+  CHECK(together == Approx(thin).epsilon(1e-12));
+  s.body.points.damage[0] = 1;
+  CHECK(stable_time_step(s.body, s.nodes) == Approx(cube).epsilon(1e-12));
+  s.body.points.damage = {0, 1};
+  CHECK(stable_time_step(s.body, s.nodes) == Approx(thin).epsilon(1e-12));
+}
+
 TEST_CASE("the step of a cube is the dilatation's", "[fem]") {
   const auto s = solid<OnePoint>(brick<double>(1, 1, 1, V::Constant(0.001)), inviscid<double>());
   const double K = bulk_modulus(s.body.metal.elasticity);

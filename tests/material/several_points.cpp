@@ -24,7 +24,8 @@ template <class Law> struct Body {
   MaterialPoints<double> points;
 };
 
-/// Points in all states, with rates from elastic to fast flow, none of them a multiple of a pack in number.
+/// Points in all states, with rates from elastic to fast flow, none of them a multiple of a pack in number. If the
+/// metal's damage grows, some are near failure and some have failed.
 template <class Law> Body<Law> some_points(const Metal<double, Law> &metal) {
   Body<Law> body{metal, {}};
   constexpr Index count = 301;
@@ -40,6 +41,7 @@ template <class Law> Body<Law> some_points(const Metal<double, Law> &metal) {
     p.pressure = bulk_modulus(metal.elasticity) * (p.density / metal.density - 1);
     if (i % 3 != 0) p.plastic_strain = 0.5 * (1 + u(random)), p.temperature += 400 * (1 + u(random));
     if (i % 5 == 0) p.plastic_strain_rate = 1e5 * (1 + u(random));
+    if (metal.damage.law != DamageLaw::none) p.damage = 0.55 * (1 + u(random));
     store(body.points, i, p);
     const double size = std::pow(10.0, 4.5 + 1.5 * u(random));
     for (int k = 0; k < 9; ++k) body.points.velocity_gradient[i](k / 3, k % 3) = size * u(random);
@@ -52,12 +54,13 @@ template <class Law> void check_same(const Metal<double, Law> &metal) {
   auto body = some_points(metal);
   auto points = body.points;
   const double dt = 4e-8;
-  Index flowed = 0;
+  Index flowed = 0, failed = 0;
   for (int step = 0; step < 10; ++step) {
     update_stress(body, dt);
     for (Index i = 0; i < points.size(); ++i) {
       const auto after = updated(metal, load(points, i), points.velocity_gradient[i], dt);
       flowed += after.plastic_strain_rate > 0 ? 1 : 0;
+      failed += is_failed(metal.damage, after.damage) && !is_failed(metal.damage, points.damage[i]) ? 1 : 0;
       store(points, i, after);
       const auto found = load(body.points, i);
       // Newton's steps end at 1e-9 of the trial stress, from powers that differ by a few units in the last place; ten
@@ -72,6 +75,7 @@ template <class Law> void check_same(const Metal<double, Law> &metal) {
   }
   CHECK(flowed > 300);
   CHECK(flowed < 10 * points.size());
+  CHECK((failed > 5) == (metal.damage.effect != FailureEffect::none));
 }
 
 } // namespace
@@ -86,7 +90,13 @@ TEST_CASE("several points at once do what they do one by one", "[material]") {
   check_same(logarithmic);
   auto damaged = library::aa5083_h116_mjc<double>();
   damaged.damage.law = DamageLaw::johnson_cook;
-  damaged.damage.effect = FailureEffect::no_tension;
+  damaged.damage.softening = 0.6;
+  for (const auto effect : {FailureEffect::none, FailureEffect::no_tension, FailureEffect::removal}) {
+    damaged.damage.effect = effect;
+    check_same(damaged);
+  }
+  damaged.damage.law = DamageLaw::cockcroft_latham;
+  damaged.damage.critical_work = 3e8;
   check_same(damaged);
 }
 

@@ -175,7 +175,9 @@ TEST_CASE("a time step that falls too far stops the run", "[sim]") {
   CHECK(stable_time_step(model) < 0.9 * first);
   // Where it fell: hexes of the squeezed body.
   CHECK(result.fault->body == hexes.name);
-  CHECK(stable_time_step_of_hex(hexes, model.nodes, result.fault->id) == stable_time_step(model));
+  const auto step_alone = [&](Index e) { return stable_time_step_of_hex(hexes, model.nodes, e); };
+  for (Index e = 0; e < static_cast<Index>(hexes.hexes.size()); ++e)
+    CHECK(step_alone(result.fault->id) <= step_alone(e));
 }
 
 TEST_CASE("a time step that falls with one particle names it", "[sim]") {

@@ -14,8 +14,13 @@
 /// s_max its largest eigenvalue: the strains of the corner motions b_a (x) g span all that stress resists. For equal
 /// masses (rho V/8) this is (8/rho) [...] of S = sum_a b_a b_a^T. The bound is exact for a flat hex, 2 c/thickness,
 /// and for a cube, whose stiffest mode is the dilatation (3 K instead of lambda + 2 mu: 0.71 times the step edge/c at
-/// Poisson's ratio 0.33). A nodal mass is the sum of its corner masses, so the smallest step of all hexes is safe for
-/// the mesh.
+/// Poisson's ratio 0.33).
+///
+/// In a mesh the sound neighbours of a thin hex carry part of its nodes. With e running over the hexes at a node n
+///   u.K u = sum_e u_e.K_e u_e <= sum_e omega_e^2 sum_a m_ea |u_a|^2 = sum_n |u_n|^2 sum_e m_en omega_e^2,
+/// so that no motion is faster than the largest, over the nodes, of the means of omega_e^2 weighted with the hexes'
+/// shares m_en in the node's mass. The same holds for the damping. It is the step of the worst hex only if that is
+/// alone at a node or its neighbours are as bad.
 
 namespace ogive {
 
@@ -94,36 +99,77 @@ FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T
   return motion;
 }
 
-/// The stable step of hex e at the latest positions, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta), and with
-/// several points no more than strains the fastest of them by largest_point_strain.
+/// The stable step of a motion, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta).
+template <class T> T stable_time_step(const FastestMotion<T> &motion) {
+  const T half = T(0.5) * motion.damping;
+  return T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
+}
+
+/// The step that strains the fastest of several points of hex e by largest_point_strain, s.
+template <class T, class Law> T step_of_strain(const HexBody<T, Law, SelectiveReduced> &body, Index e) {
+  constexpr int points = SelectiveReduced::points;
+  T fastest = std::numeric_limits<T>::min();
+  for (int p = 0; p < points; ++p)
+    fastest = std::max(fastest, full(symmetric_part(body.points.velocity_gradient[e * points + p])).squaredNorm());
+  return T(largest_point_strain) / std::sqrt(fastest);
+}
+
+/// One point strains with its hex.
+template <class T, class Law> T step_of_strain(const HexBody<T, Law, OnePoint> &, Index) {
+  return std::numeric_limits<T>::max();
+}
+
+/// The stable step of hex e at the latest positions if it were alone, s.
 template <class T, class Law, class Rule>
 T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
-  const FastestMotion<T> motion = fastest_motion(body, nodes, e);
-  const T half = T(0.5) * motion.damping;
-  const T of_waves = T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
-  if constexpr (Rule::points == 1) return of_waves;
-  T fastest = std::numeric_limits<T>::min();
-  for (int p = 0; p < Rule::points; ++p)
-    fastest =
-        std::max(fastest, full(symmetric_part(body.points.velocity_gradient[e * Rule::points + p])).squaredNorm());
-  return std::min(of_waves, T(largest_point_strain) / std::sqrt(fastest));
+  return std::min(stable_time_step(fastest_motion(body, nodes, e)), step_of_strain(body, e));
 }
 
-/// Smallest stable step of all hexes that are there at the latest positions, s.
+/// The mean of the fastest motions of the hexes at the n-th node of the body, weighted with their shares in its mass.
+/// That of removed hexes does not count: it may go at any time.
+template <class T, class Law, class Rule>
+FastestMotion<T> mean_at_node(const HexBody<T, Law, Rule> &body, const std::vector<FastestMotion<T>> &of_hexes,
+                              Index n) {
+  const CornersOfNodes &list = body.corners_of_nodes;
+  FastestMotion<T> mean;
+  T mass{};
+  for (Index k = list.begin[n]; k < list.begin[n + 1]; ++k) {
+    const Index e = list.corners[k] / 8;
+    if (is_removed(body, e)) continue;
+    const T share = body.corner_mass[e][list.corners[k] % 8];
+    mean.omega_squared += share * of_hexes[e].omega_squared;
+    mean.damping += share * of_hexes[e].damping;
+    mass += share;
+  }
+  if (!(mass > T(0))) return {};
+  mean.omega_squared /= mass, mean.damping /= mass;
+  return mean;
+}
+
+/// Stable step of the mesh of all hexes that are there at the latest positions, s.
 template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
-  return parallel_min(static_cast<Index>(body.hexes.size()), std::numeric_limits<T>::max(), [&](Index e) {
-    return is_removed(body, e) ? std::numeric_limits<T>::max() : stable_time_step_of_hex(body, nodes, e);
+  const Index count = static_cast<Index>(body.hexes.size());
+  std::vector<FastestMotion<T>> of_hexes(body.hexes.size());
+  parallel_for(count, [&](Index e) {
+    if (!is_removed(body, e)) of_hexes[e] = fastest_motion(body, nodes, e);
   });
+  const T none = std::numeric_limits<T>::max();
+  const T of_waves =
+      parallel_min(body.nodes.size(), none, [&](Index n) { return stable_time_step(mean_at_node(body, of_hexes, n)); });
+  return parallel_min(count, of_waves, [&](Index e) { return is_removed(body, e) ? none : step_of_strain(body, e); });
 }
 
-/// The first hex whose stable step is that of the body.
+/// The first of the hexes that would alone have the shortest stable step.
 template <class T, class Law, class Rule>
 Index shortest_step_at(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
-  const T shortest = stable_time_step(body, nodes);
   const Index count = static_cast<Index>(body.hexes.size());
-  return parallel_min(count, count, [&](Index e) {
-    return !is_removed(body, e) && stable_time_step_of_hex(body, nodes, e) <= shortest ? e : count;
+  const T none = std::numeric_limits<T>::max();
+  std::vector<T> steps(body.hexes.size(), none);
+  parallel_for(count, [&](Index e) {
+    if (!is_removed(body, e)) steps[e] = stable_time_step_of_hex(body, nodes, e);
   });
+  const T shortest = parallel_min(count, none, [&](Index e) { return steps[e]; });
+  return parallel_min(count, count, [&](Index e) { return steps[e] <= shortest ? e : count; });
 }
 
 /// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and

@@ -68,17 +68,23 @@ template <class T> T largest_principal_stress(const Sym3<T> &deviator, T pressur
   return -pressure + T(2) / T(3) * q * std::cos(std::acos(std::clamp(T(13.5) * J3, T(-1), T(1))) / T(3));
 }
 
+/// Growth of the damage of Johnson and Cook, see damage_growth(). `N` is T or a pack of T.
+template <class T, class N>
+N johnson_cook_growth(const FailureStrain<T> &f, const MaterialPoint<N> &point, N increment, N rate, N homologous) {
+  using std::max, std::min;
+  // Beyond 10 either way nothing changes, and molten metal has no equivalent stress to divide by.
+  const N q = max(von_mises(point.deviator), N(1));
+  const N triaxiality = max(N(-10), min(N(10), N(-point.pressure / q)));
+  return increment / failure_strain(f, triaxiality, rate, homologous);
+}
+
 /// Growth of the damage while the plastic strain of `point` grows by `increment` (>= 0) to its present state, at `rate`
 /// (1/s) and the homologous temperature T*. Never negative.
 template <class T>
 T damage_growth(const Damage<T> &damage, const MaterialPoint<T> &point, T increment, T rate, T homologous) {
   switch (damage.law) {
-  case DamageLaw::johnson_cook: {
-    // Beyond 10 either way nothing changes, and molten metal has no equivalent stress to divide by.
-    const T q = std::max(von_mises(point.deviator), T(1));
-    const T triaxiality = std::clamp(-point.pressure / q, T(-10), T(10));
-    return increment / failure_strain(damage.failure_strain, triaxiality, rate, homologous);
-  }
+  case DamageLaw::johnson_cook:
+    return johnson_cook_growth(damage.failure_strain, point, increment, rate, homologous);
   case DamageLaw::cockcroft_latham:
     return increment * std::max(T(0), largest_principal_stress(point.deviator, point.pressure)) / damage.critical_work;
   case DamageLaw::none:

@@ -15,10 +15,13 @@ template <class T> struct FailureStrain {
 };
 
 /// eps_f = [D1 + D2 exp(D3 triaxiality)] (rate/reference)^D4 [1 + D5 T*] (Liu et al. 2012, Eq. 4), never below 1e-6.
-template <class T> T failure_strain(const FailureStrain<T> &f, T triaxiality, T rate, T homologous_temperature) {
-  const T strain = (f.D1 + f.D2 * std::exp(f.D3 * triaxiality)) * std::pow(rate / f.reference_rate, f.D4) *
+/// `N` is T or a pack of T.
+template <class T, class N>
+N failure_strain(const FailureStrain<T> &f, N triaxiality, N rate, N homologous_temperature) {
+  using std::exp, std::max, std::pow;
+  const N strain = (f.D1 + f.D2 * exp(f.D3 * triaxiality)) * pow(rate / f.reference_rate, f.D4) *
                    (T(1) + f.D5 * homologous_temperature);
-  return std::max(strain, T(1e-6));
+  return max(strain, N(1e-6));
 }
 
 } // namespace ogive

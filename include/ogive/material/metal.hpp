@@ -58,9 +58,11 @@ template <class T, class Law> MaterialPoint<T> initial_point(const Metal<T, Law>
   return p;
 }
 
-/// T* = (T - Tr)/(Tm - Tr), between 0 and 1.
-template <class T, class Law> T homologous_temperature(const Metal<T, Law> &m, T temperature) {
-  return std::clamp((temperature - m.room_temperature) / (m.melting_temperature - m.room_temperature), T(0), T(1));
+/// T* = (T - Tr)/(Tm - Tr), between 0 and 1. `N` is T or a pack of T.
+template <class T, class Law, class N> N homologous_temperature(const Metal<T, Law> &m, N temperature) {
+  using std::max, std::min;
+  const N scaled = (temperature - m.room_temperature) / (m.melting_temperature - m.room_temperature);
+  return max(N(0), min(N(1), scaled));
 }
 
 /// Throws SetupError if a constant of the metal's damage is out of range.

@@ -95,17 +95,15 @@ template <class T, class F> MaterialPoint<Pack<T>> load_points(const MaterialPoi
           of(p.internal_energy)};
 }
 
+/// One lane of a symmetric tensor of packs.
+template <class T> Sym3<T> lane_of(const Sym3<Pack<T>> &s, Index lane) {
+  return {s.xx[lane], s.yy[lane], s.zz[lane], s.xy[lane], s.yz[lane], s.zx[lane]};
+}
+
 /// One lane of several points.
 template <class T> MaterialPoint<T> lane_of(const MaterialPoint<Pack<T>> &m, Index lane) {
-  const auto &s = m.deviator;
-  return {{s.xx[lane], s.yy[lane], s.zz[lane], s.xy[lane], s.yz[lane], s.zx[lane]},
-          m.pressure[lane],
-          m.density[lane],
-          m.plastic_strain[lane],
-          m.plastic_strain_rate[lane],
-          m.temperature[lane],
-          m.damage[lane],
-          m.internal_energy[lane]};
+  return {lane_of(m.deviator, lane),   m.pressure[lane],    m.density[lane], m.plastic_strain[lane],
+          m.plastic_strain_rate[lane], m.temperature[lane], m.damage[lane],  m.internal_energy[lane]};
 }
 
 /// Writes point i.

@@ -177,19 +177,33 @@ void update_elastic_points(Body &body, Index begin, Index end, T dt, F &&others)
   }
 }
 
-/// Moves points of undamaged metal through a step, flowing or not, several at once.
+/// Moves points that have not failed through a step, flowing or not, several at once: advanced() for all but damage by
+/// Cockcroft and Latham.
 template <class Body, class T> void update_points(Body &body, std::span<const Index> points, T dt) {
   auto &p = body.points;
+  const auto &metal = body.metal;
   constexpr T infinity = std::numeric_limits<T>::infinity();
   const Index n = static_cast<Index>(points.size());
   for (Index first = 0; first < n; first += lanes<T>) {
     const auto index_of = [&](Index lane) { return points[std::min(first + lane, n - 1)]; };
     const MaterialPoint<Pack<T>> old = load_points(p, index_of);
-    const auto trial = elastic_trial(body.metal, old, load_gradients(p, index_of), dt);
-    auto after = flowed(body.metal, old, trial, dt);
-    balance(body.metal, old, after.point, trial.deformation_rate, dt, -infinity, infinity);
+    const auto trial = elastic_trial(metal, old, load_gradients(p, index_of), dt);
+    auto after = flowed(metal, old, trial, dt);
+    balance(metal, old, after.point, trial.deformation_rate, dt, -infinity, infinity);
+    if (metal.damage.law == DamageLaw::johnson_cook) {
+      const Pack<T> rate = after.point.plastic_strain_rate;
+      const Pack<T> growth = johnson_cook_growth<T, Pack<T>>(metal.damage.failure_strain, after.point, rate * dt,
+                                                             max(rate, Pack<T>(metal.rate_floor)),
+                                                             homologous_temperature(metal, after.point.temperature));
+      after.point.damage += select(rate > Pack<T>(T(0)), growth, Pack<T>(T(0)));
+    }
     for (Index lane = 0; lane < std::min(lanes<T>, n - first); ++lane) {
-      store(p, points[first + lane], lane_of(after.point, lane));
+      MaterialPoint<T> now = lane_of(after.point, lane);
+      if (is_failed(metal.damage, now.damage)) {
+        now.deviator = Sym3<T>{};
+        balance(metal, lane_of(old, lane), now, lane_of(trial.deformation_rate, lane), dt);
+      }
+      store(p, points[first + lane], now);
       remember_yield(p, points[first + lane], after.yield[lane]);
     }
   }
@@ -199,22 +213,22 @@ template <class Body, class T> void update_points(Body &body, std::span<const In
 template <class Body, class T> void update_stress(Body &body, T dt) {
   if (dt == T(0)) return;
   constexpr Index chunk = 128;
-  constexpr bool packed = PackedFlowLaw<decltype(body.metal.flow), T>;
+  const bool packed =
+      PackedFlowLaw<decltype(body.metal.flow), T> && body.metal.damage.law != DamageLaw::cockcroft_latham;
   parallel_for_chunks(body.points.size(), chunk, [&](Index begin, Index end) {
-    std::array<Index, chunk> others;
+    std::array<Index, chunk> several;
     std::size_t count = 0;
-    update_elastic_points(body, begin, end, dt, [&](Index i) { others[count++] = i; });
-    const std::span<const Index> rest(others.data(), count);
-    if constexpr (packed)
-      if (body.metal.damage.law == DamageLaw::none && body.metal.damage.effect == FailureEffect::none) {
-        update_points(body, rest, dt);
+    update_elastic_points(body, begin, end, dt, [&](Index i) {
+      if (packed && !is_failed(body.metal.damage, body.points.damage[i])) {
+        several[count++] = i;
         return;
       }
-    for (const Index i : rest) {
       const auto after = advanced(body.metal, load(body.points, i), body.points.velocity_gradient[i], dt);
       store(body.points, i, after.point);
       remember_yield(body.points, i, after.yield);
-    }
+    });
+    if constexpr (PackedFlowLaw<decltype(body.metal.flow), T>)
+      update_points(body, std::span<const Index>(several.data(), count), dt);
   });
 }
 

@@ -178,6 +178,7 @@ template <class T, class... Bodies> void convert(Conversion<T> &conversion, Mode
       going.push_back(e);
     }
     if (going.empty()) return;
+    conversion.last = model.steps;
     for (const Index e : going) conversion.energy += turn_into_particle(particles, hexes, nodes, e, model.last_step);
     for (const Index e : going) gather_masses(hexes, nodes, e);
     particles.neighbours.built_at.clear();

@@ -19,7 +19,7 @@ namespace ogive {
 template <class T> struct RunOptions {
   T end_time{};                       ///< s
   T observe_every = T(0.5e-6);        ///< s between calls of the observer
-  int time_step_every = 10;           ///< steps between two looks at the stable time step
+  int time_step_every = 10;           ///< steps between two looks at the stable time step, see is_time_step_due()
   int check_every = 20;               ///< steps between two checks of positions, velocities, hexes and contacts
   T smallest_step_fraction = T(0.02); ///< of the first time step; below it the run stops
   T largest_energy_error = T(0.05);   ///< of the initial energy; beyond it the run stops
@@ -73,6 +73,14 @@ template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...>
   for (const auto &contact : model.contacts)
     if (contact.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.reference_time_step);
   return dt;
+}
+
+/// Whether the stable time step must be looked at before the step to come: every now and then, and when hexes have gone
+/// and taken their shares in the masses of nodes with them.
+template <class T, class... Bodies> bool is_time_step_due(const Model<T, Bodies...> &model, int every) {
+  if (model.steps % every == 0) return true;
+  return std::any_of(model.conversions.begin(), model.conversions.end(),
+                     [&](const Conversion<T> &conversion) { return conversion.last == model.steps; });
 }
 
 /// The state of a run that begins with this model.
@@ -152,7 +160,7 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, RunState
     if (pause(std::as_const(model), std::as_const(state))) return {StopReason::pause, std::nullopt};
     lap(Phase::observer);
     if (!(model.time < options.end_time * (T(1) - std::numeric_limits<T>::epsilon()))) break;
-    if (model.steps % options.time_step_every == 0) {
+    if (is_time_step_due(model, options.time_step_every)) {
       state.time_step = stable_time_step(model);
       if (auto fault = find_small_step(model, options, state)) return stop_at(*fault);
     }

@@ -20,7 +20,6 @@ template <class M, class T> void step(M &model, T dt) {
   Nodes<T> &nodes = model.nodes;
   const T before = model.last_step, kick = T(0.5) * (before + dt);
   Lap lap(model.times);
-  for (auto &conversion : model.conversions) convert(conversion, model), lap(Phase::hexes);
   clear_forces(nodes), lap(Phase::motion);
   for_each_body(model, [&](auto &body) {
     prepare(body, nodes), lap(phase_of(body, Phase::neighbours));
@@ -45,6 +44,7 @@ template <class M, class T> void step(M &model, T dt) {
   model.last_step = dt;
   model.last_kick = kick;
   ++model.steps, lap(Phase::motion);
+  for (auto &conversion : model.conversions) convert(conversion, model), lap(Phase::hexes);
 }
 
 } // namespace ogive
