@@ -119,6 +119,20 @@ TEST_CASE("a hex that fails becomes a particle with its mass, momentum and state
   CHECK(total(energy(model)) == Approx(before).epsilon(1e-3));
 }
 
+TEST_CASE("the time step is looked at when hexes have gone, and every so many steps", "[sim]") {
+  auto model = convertible_brick(2, 2, 1, 1e-3);
+  const double dt = stable_time_step(model);
+  for (int i = 0; i < 3; ++i) step(model, dt);
+  CHECK_FALSE(is_time_step_due(model, 10));
+  CHECK(is_time_step_due(model, 3));
+  hexes_of(model).points.damage[0] = 1;
+  step(model, dt);
+  REQUIRE(model.conversions[0].failed == 1);
+  CHECK(is_time_step_due(model, 10));
+  step(model, dt);
+  CHECK_FALSE(is_time_step_due(model, 10));
+}
+
 TEST_CASE("a node whose hexes have all gone has no mass, takes part in nothing and is not drawn", "[sim]") {
   auto model = convertible_brick(2, 2, 2, 1e-3);
   auto &hexes = hexes_of(model);
