@@ -22,19 +22,23 @@ using ogive::shortest;
 using Points = std::vector<std::pair<double, double>>;
 
 /// Writes points and returns the file. Throws WriteError.
-fs::path written(const Points &points, const fs::path &file) {
+fs::path written(const std::string &csv, const fs::path &file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw ogive::write_error(file, error.message());
-  std::string csv = "x,y\n";
-  for (const auto &[x, y] : points) csv += shortest(x) + "," + shortest(y) + "\n";
   ogive::write_atomically(file, csv);
   return file;
 }
 
+fs::path written(const Points &points, const fs::path &file) {
+  std::string csv = "x,y\n";
+  for (const auto &[x, y] : points) csv += shortest(x) + "," + shortest(y) + "\n";
+  return written(csv, file);
+}
+
 /// How a curve looks: one colour and symbol for each method and law, the same in all figures.
 struct Look {
-  std::string title, style;
+  std::string title, style, colour{};
 };
 Look look_of(const std::string &method, const std::string &model) {
   const std::string law = model == "mjc" ? "MJC" : "JC", way = method == "sfm" ? "" : ", " + method;
@@ -42,8 +46,10 @@ Look look_of(const std::string &method, const std::string &model) {
                              : method == "adaptive" ? "#7d3c98"
                                                     : "#1e8449";
   const int symbol = model == "mjc" ? 6 : 8;
-  return {"ogive, " + law + way, "with linespoints linecolor rgb '" + colour +
-                                     "' linewidth 1.5 pointsize 0.9 pointtype " + std::to_string(symbol)};
+  return {"ogive, " + law + way,
+          "with linespoints linecolor rgb '" + colour + "' linewidth 1.5 pointsize 0.9 pointtype " +
+              std::to_string(symbol),
+          colour};
 }
 
 constexpr const char *measured_style = "with points linecolor rgb 'black' pointtype 7 pointsize 0.9";
@@ -140,12 +146,9 @@ bool draw_residuals(const Plot &plot, const std::vector<SeriesKey> &series, cons
   return true;
 }
 
+/// Limits against thickness, each with a bar over what lies between the shots that bracket it.
 bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const fs::path &out) {
-  struct Curve {
-    Points points;
-    std::string what;
-  };
-  std::map<std::pair<std::string, std::string>, Points> computed;
+  std::map<std::pair<std::string, std::string>, std::map<double, ogive::LimitEstimate<double>>> computed;
   std::map<double, double> tests, paper;
   double thickest = 0;
   for (const LimitRow &row : limits) {
@@ -154,20 +157,24 @@ bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const fs
     if (row.published.test_limit_mps) tests[t] = *row.published.test_limit_mps;
     if (row.published.paper_velocity_mps) paper[t] = *row.published.paper_velocity_mps;
     if (const auto estimate = ogive::limit_estimate(row.bracket))
-      computed[{row.key.method, row.key.model}].emplace_back(t, estimate->limit);
+      computed[{row.key.method, row.key.model}][t] = *estimate;
   }
   if (computed.empty()) return false;
   const fs::path base = out / "plot_data" / ("figure_" + std::to_string(plot.figure));
-  std::string curves =
-      "plot " + curve(written({tests.begin(), tests.end()}, base.string() + "_tests.csv"), {"test", measured_style});
+  std::string curves = "plot " + curve(written(Points(tests.begin(), tests.end()), base.string() + "_tests.csv"),
+                                       {"test", measured_style});
   if (!paper.empty())
-    curves += ", " + curve(written({paper.begin(), paper.end()}, base.string() + "_paper.csv"),
+    curves += ", " + curve(written(Points(paper.begin(), paper.end()), base.string() + "_paper.csv"),
                            {"paper, MJC: strike velocity close to its limit (Fig. 10)",
                             "with points linecolor rgb '#b9770e' pointtype 4 pointsize 1"});
-  for (auto &[key, points] : computed) {
-    std::sort(points.begin(), points.end());
-    curves += ", " + curve(written(points, base.string() + "_" + key.first + "_" + key.second + ".csv"),
-                           look_of(key.first, key.second));
+  for (const auto &[key, estimates] : computed) {
+    std::string csv = "x,y,half_width\n";
+    for (const auto &[t, estimate] : estimates)
+      csv += shortest(t) + "," + shortest(estimate.limit) + "," + shortest(estimate.half_width) + "\n";
+    const Look look = look_of(key.first, key.second);
+    const fs::path file = written(csv, base.string() + "_" + key.first + "_" + key.second + ".csv");
+    curves += ", " + gnuplot_file(file) + " using 1:2:3 with yerrorbars linecolor rgb '" + look.colour +
+              "' pointsize 0 notitle, " + curve(file, look);
   }
   const std::string commands =
       axes("plate thickness, mm", "ballistic limit, m/s", plot.title) +
