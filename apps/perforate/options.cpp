@@ -217,30 +217,24 @@ double default_end_us(Nose nose) { return nose == Nose::blunt ? 500 : 1500; }
 
 double target_depth_mm(const Options &o) { return std::accumulate(o.gaps_mm.begin(), o.gaps_mm.end(), o.thickness_mm); }
 
-std::string thickness_label(const Options &o) {
-  if (o.layers_mm.empty()) return shortest(o.thickness_mm) + "mm";
-  const bool apart = std::any_of(o.gaps_mm.begin(), o.gaps_mm.end(), [](double gap) { return gap > 0; });
-  const bool equal =
-      apart && std::count(o.gaps_mm.begin(), o.gaps_mm.end(), o.gaps_mm.front()) == std::ssize(o.gaps_mm);
-  return joined(o.layers_mm, "+") + "mm" +
-         (!apart  ? ""
-          : equal ? "_" + shortest(o.gaps_mm.front()) + "mm_apart"
-                  : "_" + joined(o.gaps_mm, "+") + "mm_apart");
-}
-
-std::filesystem::path default_out(const Options &o) {
-  return std::filesystem::path("vtk_out") /
-         (material_label(o) + "_" + choice_name(o.model) + "_" + choice_name(o.nose) + "_" +
-          (o.diameter_mm == Options{}.diameter_mm ? "" : shortest(o.diameter_mm) + "mm_on_") + thickness_label(o) +
-          "_" + shortest(o.velocity_mps) + "mps" +
-          (o.obliquity_deg == 0 ? "" : "_" + shortest(o.obliquity_deg) + "deg") +
-          (o.method == Method::sfm ? "" : "_" + choice_name(o.method)));
-}
-
 double estimated_particles(const Options &o) {
   constexpr double pi = 3.14159265358979323846;
   const double part = o.extent == Extent::quarter ? 0.25 : o.extent == Extent::half ? 0.5 : 1.0;
   return part * pi * o.sph_radius_mm * o.sph_radius_mm * o.thickness_mm / std::pow(o.spacing_mm, 3);
+}
+
+void take_defaults(Options &o, const Origins &origins) {
+  const auto is_open = [&](const char *key) { return !origins.contains(key); };
+  if (is_open("damage")) o.damage = default_damage(o.method);
+  if (o.damage != DamageLaw::none) {
+    if (is_open("damage_softening")) o.damage_softening = default_softening(o.method);
+    if (is_open("damage_length_mm")) o.damage_length_mm = default_damage_length_mm(o.method);
+    if (is_open("damage_length_exponent")) o.damage_length_exponent = default_length_exponent(o.method);
+  }
+  if (is_open("control_stiffness")) o.control_stiffness = default_control_stiffness(o.method);
+  if (is_open("failure")) o.failure = default_failure(o.damage);
+  if (is_open("friction")) o.friction = default_friction(o.nose, o.material);
+  if (is_open("end_us")) o.end_us = default_end_us(o.nose);
 }
 
 std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text) {
@@ -273,26 +267,12 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
   for (const Given &given : line.given) apply(options, origins, given);
 
   settle_layers(options, origins);
-  if (!origins.contains("damage")) options.damage = default_damage(options.method);
+  take_defaults(options, origins);
   settle_materials(options, origins);
-  if (options.damage != DamageLaw::none) {
-    if (!origins.contains("damage_softening")) options.damage_softening = default_softening(options.method);
-    if (!origins.contains("damage_length_mm")) options.damage_length_mm = default_damage_length_mm(options.method);
-    if (!origins.contains("damage_length_exponent"))
-      options.damage_length_exponent = default_length_exponent(options.method);
-  }
-  if (!origins.contains("control_stiffness")) options.control_stiffness = default_control_stiffness(options.method);
-  if (!origins.contains("failure")) options.failure = default_failure(options.damage);
-  if (!origins.contains("friction")) options.friction = default_friction(options.nose, options.material);
   settle_projectile(options, origins);
-  if (!origins.contains("end_us")) options.end_us = default_end_us(options.nose);
   if (!origins.contains("out")) options.out = default_out(options);
   check(options, origins);
   return options;
 }
-
-std::string name_of(Method method) { return choice_name(method); }
-std::string name_of(DamageLaw damage) { return choice_name(damage); }
-std::string name_of(FailureEffect failure) { return choice_name(failure); }
 
 } // namespace perforate

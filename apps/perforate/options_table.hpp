@@ -123,6 +123,9 @@ inline std::string joined(const std::vector<double> &numbers, const std::string 
 /// Most threads that may be asked for.
 inline double most_threads() { return std::max(64.0, 4.0 * std::thread::hardware_concurrency()); }
 
+/// Group of the options that leave the case as it is.
+inline constexpr char run_group[] = "Run and output";
+
 /// Calls `f(entry, value)` for each option, in the order of --help.
 template <class O, class F> void for_each_option(O &o, F &&f) {
   const char *const plate = "Plate";
@@ -256,7 +259,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{numerics, "quadratic_viscosity", "beta of the artificial viscosity of SPH", "ours", {0, 5, ""}},
     o.quadratic_viscosity);
 
-  const char *const run = "Run and output";
+  const char *const run = run_group;
   f(Entry{run,
           "end_us",
           "time at which the run ends",
@@ -269,7 +272,9 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "0: none",
           {0, 100000, "us"}},
     o.settle_us);
-  f(Entry{run, "out", "folder for the results", "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps"}, o.out);
+  f(Entry{run, "out", "folder for the results",
+          "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps, and each option that is not as usual"},
+    o.out);
   f(Entry{run, "output_every_us", "time between two frames", "ours", {0.5, 100000, "us"}}, o.output_every_us);
   f(Entry{run,
           "checkpoint_every_us",
@@ -285,6 +290,9 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
   f(Entry{run, "threads", "OpenMP threads", "all: OMP_NUM_THREADS or the number of cores", {1, most_threads(), ""}},
     o.threads);
 }
+
+/// Takes what follows from method, nose and material where it has not been given.
+void take_defaults(Options &options, const Origins &given);
 
 /// The entries of a TOML file. Throws SetupError if it cannot be read, is damaged or has unknown keys.
 std::vector<Given> read_toml(const std::string &file);

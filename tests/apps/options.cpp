@@ -35,6 +35,24 @@ TEST_CASE("friction, end and folder follow from the case unless given") {
   CHECK(given.out == "here");
 }
 
+TEST_CASE("cases that differ have folders of their own") {
+  const std::string usual = Options{}.out.string();
+  using Arguments = std::vector<const char *>;
+  const auto suffix = [&](const Arguments &arguments) {
+    const std::string out = options_of(arguments).out.string();
+    return out.starts_with(usual) ? out.substr(usual.size()) : out;
+  };
+  CHECK(suffix({"--spacing-mm", "1"}) == "_spacing_mm=1");
+  CHECK(suffix({"--damage", "jc"}) == "_damage=jc");
+  CHECK(suffix({"--damage", "jc", "--failure", "removal"}) == "_damage=jc_failure=removal");
+  CHECK(suffix({"--method", "adaptive"}) == "_adaptive");
+  CHECK(suffix({"--method", "adaptive", "--damage-softening", "0.3"}) == "_adaptive_damage_softening=0.3");
+  CHECK(suffix({"--obliquity-deg", "30", "--extent", "half"}) == "_30deg_extent=half");
+  CHECK(suffix({"--spacing-mm", "0.6", "--friction", "0", "--threads", "1", "--quiet", "--end-us", "300"}).empty());
+  CHECK(options_of({"--nose", "conical", "--nose-length-mm", "40"}).out ==
+        "vtk_out/weldox_460e_mjc_conical_12mm_303.5mps_nose_length_mm=40");
+}
+
 TEST_CASE("each bad argument is refused with one line that names option, value and what is allowed") {
   struct Bad {
     std::vector<const char *> arguments;
