@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Everything but VTK: perforation of metal plates with coupled SPH and 8-node hexes.
+/// Perforation of metal plates with coupled SPH and 8-node hexes: materials, bodies, contact, runs, shots, checkpoints.
+/// Not here: fits (fit/), the search for ballistic limits, other files than checkpoints (io/).
 
 #include "ogive/io/checkpoint.hpp"
 #include "ogive/material/library.hpp"

@@ -178,6 +178,13 @@ TEST_CASE("pressure laws agree for small compressions and Mie-Grueneisen follows
   CHECK(pressure(shock, K, eta / (1 - eta), 0.5 * rho * up * up) == Approx(rho * us * up).epsilon(1e-12));
 }
 
+TEST_CASE("the library's failure strain of Weldox 460 E is that of Dey 2004", "[material]") {
+  // By hand, at a triaxiality of a third and 1/s: (0.636 + 1.936 exp(-2.969/3)) 2000^-0.014; half molten times 1.507.
+  const auto m = library::weldox_460e_mjc<double>();
+  CHECK(failure_strain(m.damage.failure_strain, 1.0 / 3.0, 1.0, 0.0) == Approx(1.2188).epsilon(1e-4));
+  CHECK(failure_strain(m.damage.failure_strain, 1.0 / 3.0, 1.0, 0.5) == Approx(1.2188 * 1.507).epsilon(1e-4));
+}
+
 TEST_CASE("damage grows by the plastic strain over the failure strain", "[material]") {
   auto m = library::weldox_460e_mjc<double>();
   m.damage.law = DamageLaw::johnson_cook;

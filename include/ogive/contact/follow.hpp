@@ -16,14 +16,19 @@
 namespace ogive {
 
 /// Books the work that the forces on slave `s` did since the middle of the last step of `dt` (s), and ends them.
-template <class T> void settle(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s, T dt) {
-  add_half_work(contact, nodes, s, std::exchange(contact.forces[s], {}), dt);
-  if (!contact.opposite.empty()) add_half_work(contact, nodes, s, std::exchange(contact.opposite[s], {}), dt);
+template <class T> void settle(NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, T dt) {
+  const auto end = [&](ContactForce<T> &force) {
+    add_half_work(contact, nodes, s, force, dt);
+    add_to_nodes(contact, nodes, s, force, T(-1));
+    force = {};
+  };
+  end(contact.forces[s]);
+  if (!contact.opposite.empty()) end(contact.opposite[s]);
 }
 
 /// Takes the masses that the slaves have now. A slave without mass is let go. One that had none is new: it may overlap
 /// the surface, and its offset grows from where it is.
-template <class T> void follow_slaves(NodeToSurface<T> &contact, const Nodes<T> &nodes, T dt) {
+template <class T> void follow_slaves(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt) {
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
     const T mass = nodes.mass[contact.slaves[s]];
     if (mass == contact.slave_mass[s]) continue;
@@ -43,8 +48,7 @@ template <class T> Index count_buried(const NodeToSurface<T> &contact) {
 }
 
 /// Takes other facets; forces begin anew on them.
-template <class T>
-void follow_surface(NodeToSurface<T> &contact, const Nodes<T> &nodes, std::vector<Facet> facets, T dt) {
+template <class T> void follow_surface(NodeToSurface<T> &contact, Nodes<T> &nodes, std::vector<Facet> facets, T dt) {
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) settle(contact, nodes, s, dt);
   set_facets(contact, nodes, std::move(facets));
   contact.searched_at.clear();

@@ -34,7 +34,8 @@ template <class T> struct NearestFacet {
 };
 
 /// Closest point of the candidate facets to `p` (m), where slave `a` of the active list is, if nearer than `limit` (m).
-/// With `across`, a unit vector out of a facet that touches `p`, only points on the other side of `p` count.
+/// With `across`, a unit vector out of a facet that touches `p`, only facets on the other side of `p` count that face
+/// it.
 template <class T>
 NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p, T limit,
                              const std::optional<Vec3<T>> &across = {}) {
@@ -47,8 +48,10 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     std::array<Vec3<T>, 4> corner;
     for (int c = 0; c < 4; ++c) corner[c] = nodes.position[contact.facets[f].nodes[c]];
     const FacetPoint<T> point = closest_on_facet(p, corner);
-    if (across && across->dot(p - point.position) > T(-0.3) * std::sqrt(point.distance_squared)) continue;
-    const T alignment = std::abs(point.normal.dot(p - point.position));
+    const Vec3<T> gap = p - point.position;
+    if (across && (point.normal.dot(gap) <= T(0) || across->dot(gap) > T(-0.3) * std::sqrt(point.distance_squared)))
+      continue;
+    const T alignment = std::abs(point.normal.dot(gap));
     const T tie = T(1e-6) * (best.distance_squared + point.distance_squared);
     if (facet < 0 || point.distance_squared < best.distance_squared - tie ||
         (point.distance_squared <= best.distance_squared + tie && alignment > best_alignment)) {
@@ -80,7 +83,7 @@ Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Inde
   const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[slave] + deepest, across);
   const Index facet = nearest.facet;
   const FacetPoint<T> &best = nearest.point;
-  if (facet < 0 || (across && !nearest.outside)) return {};
+  if (facet < 0) return {};
   const Vec3<T> gap = p - best.position;
   const T distance = std::sqrt(best.distance_squared);
   const bool outside = nearest.outside;
@@ -148,6 +151,15 @@ void add_half_work(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s, co
   const Vec3<T> v = relative_velocity(contact, nodes, s, c);
   contact.normal_energy[s] -= T(0.5) * dt * v.dot(c.normal);
   contact.friction_energy[s] -= T(0.5) * dt * v.dot(c.friction);
+}
+
+/// Adds a force on slave `s` and its reaction, times `sign`, to the forces of the nodes.
+template <class T>
+void add_to_nodes(const NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, const ContactForce<T> &c, T sign) {
+  if (c.facet < 0) return;
+  const Vec3<T> force = sign * (c.normal + c.friction), reaction = reflected<T>(force, c.reflection);
+  nodes.force[contact.slaves[s]] += force;
+  for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
 }
 
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come

@@ -8,7 +8,7 @@
 #include <limits>
 
 /// \file
-/// The stable time step of central differences, hex by hex.
+/// The stable time step of central differences, of a hex and of a mesh.
 ///
 /// A hex with the corner masses m_a has omega_max^2 <= 2 mu s_max + lambda tr S with S = V sum_a b_a b_a^T / m_a and
 /// s_max its largest eigenvalue: the strains of the corner motions b_a (x) g span all that stress resists. For equal
@@ -126,7 +126,7 @@ T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nod
 }
 
 /// The mean of the fastest motions of the hexes at the n-th node of the body, weighted with their shares in its mass.
-/// That of removed hexes does not count: it may go at any time.
+/// That of removed hexes does not count: it may go at any time; nor that of hexes without volume, which is no bound.
 template <class T, class Law, class Rule>
 FastestMotion<T> mean_at_node(const HexBody<T, Law, Rule> &body, const std::vector<FastestMotion<T>> &of_hexes,
                               Index n) {
@@ -135,7 +135,7 @@ FastestMotion<T> mean_at_node(const HexBody<T, Law, Rule> &body, const std::vect
   T mass{};
   for (Index k = list.begin[n]; k < list.begin[n + 1]; ++k) {
     const Index e = list.corners[k] / 8;
-    if (is_removed(body, e)) continue;
+    if (is_removed(body, e) || !(of_hexes[e].omega_squared > T(0))) continue;
     const T share = body.corner_mass[e][list.corners[k] % 8];
     mean.omega_squared += share * of_hexes[e].omega_squared;
     mean.damping += share * of_hexes[e].damping;

@@ -114,9 +114,10 @@ template <class T, class... Bodies> void check_restored(const Model<T, Bodies...
     const auto slaves = static_cast<Index>(contact.slaves.size()), facets = static_cast<Index>(contact.facets.size());
     need(are_places(contact.searched_at), contact.name + " positions of the search");
     need(contact.lost >= -1 && contact.lost < slaves, contact.name + " lost slave");
-    need(std::all_of(contact.forces.begin(), contact.forces.end(),
-                     [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
-         contact.name + " facet");
+    for (const auto *forces : {&contact.forces, &contact.opposite})
+      need(std::all_of(forces->begin(), forces->end(),
+                       [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
+           contact.name + " facet");
   }
   for (const auto &contact : model.particle_contacts) {
     need(are_places(contact.searched_at), contact.name + " positions of the search");

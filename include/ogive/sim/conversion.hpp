@@ -27,7 +27,6 @@ template <class T> struct Conversion {
   T energy{};                     ///< J, kinetic energy of the corners against each other that was lost
   std::int64_t failed = 0;        ///< number of hexes that had failed
   std::int64_t distorted = 0;     ///< number of those that had not, but were too distorted to go on
-  std::int64_t last = -1;         ///< step after which hexes went last; -1: none has
 };
 
 /// Calls `f(name, value)` for each value of a conversion that a run changes.
@@ -35,7 +34,6 @@ template <class C, class F> void for_each_conversion_field(C &&conversion, F &&f
   f("energy", conversion.energy);
   f("failed", conversion.failed);
   f("distorted", conversion.distorted);
-  f("last", conversion.last);
 }
 
 } // namespace ogive

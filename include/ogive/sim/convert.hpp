@@ -9,6 +9,7 @@
 #include "ogive/sph/body.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -44,8 +45,8 @@ template <class Particles> bool is_converted(const Particles &particles, Index e
   return e < particles.points.size() && !is_unborn(particles, e);
 }
 
-/// True if hex e is about to lose its volume, is folded or holds up the time step, so that it must go before it fails:
-/// the faces of a folded one pass through each other and have no outside.
+/// True if hex e is about to lose its volume, is folded or so thin that alone it would hold up the time step, so that
+/// it must go before it fails: the faces of a folded one pass through each other and have no outside.
 template <class T, class Law, class Rule>
 bool is_too_distorted(const HexBody<T, Law, Rule> &hexes, const Nodes<T> &nodes, Index e,
                       const ConversionOptions<T> &options, T spacing) {
@@ -60,10 +61,12 @@ bool is_too_distorted(const HexBody<T, Law, Rule> &hexes, const Nodes<T> &nodes,
   return stable_time_step_of_hex(hexes, nodes, e) < options.smallest_step * spacing / sound_speed(hexes.metal);
 }
 
-/// Books the work of hex e since the middle of the last step of `dt` (s), before its forces end. Those of a failed hex
-/// ended when it failed.
-template <class T, class Law, class Rule>
-void settle(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e, T dt) {
+/// Books the work of hex e since the middle of the last step of `dt` (s) and ends its forces. The stress of a failed
+/// hex ended when it failed.
+template <class T, class Law, class Rule> void settle(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, Index e, T dt) {
+  // What is left pushes alone: energy() takes the kinetic energy back by half a step of these forces.
+  for (int a = 0; a < 8; ++a)
+    nodes.force[body.hexes[e][a]] -= std::exchange(body.corner_force[8 * e + a], Vec3<T>(Vec3<T>::Zero()));
   const HexModes<T> x = modes<T>(gather_corners(nodes.position, body.hexes[e])),
                     v = modes<T>(gather_corners(nodes.velocity, body.hexes[e]));
   const MeanGradient<T> mean = mean_gradient<T>(x);
@@ -178,7 +181,6 @@ template <class T, class... Bodies> void convert(Conversion<T> &conversion, Mode
       going.push_back(e);
     }
     if (going.empty()) return;
-    conversion.last = model.steps;
     for (const Index e : going) conversion.energy += turn_into_particle(particles, hexes, nodes, e, model.last_step);
     for (const Index e : going) gather_masses(hexes, nodes, e);
     particles.neighbours.built_at.clear();

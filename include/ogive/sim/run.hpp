@@ -75,12 +75,13 @@ template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...>
   return dt;
 }
 
-/// Whether the stable time step must be looked at before the step to come: every now and then, and when hexes have gone
-/// and taken their shares in the masses of nodes with them.
+/// Whether the stable time step must be looked at before the step to come: every now and then, and as often as hexes
+/// are looked at that may go. Those may get thinner faster than others, which do not live to be as thin, and take their
+/// shares in the masses of nodes with them.
 template <class T, class... Bodies> bool is_time_step_due(const Model<T, Bodies...> &model, int every) {
   if (model.steps % every == 0) return true;
   return std::any_of(model.conversions.begin(), model.conversions.end(),
-                     [&](const Conversion<T> &conversion) { return conversion.last == model.steps; });
+                     [&](const Conversion<T> &conversion) { return model.steps % conversion.options.every == 0; });
 }
 
 /// The state of a run that begins with this model.
