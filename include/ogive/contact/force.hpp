@@ -33,6 +33,13 @@ template <class T> struct NearestFacet {
   T gap() const { return (outside ? T(1) : T(-1)) * std::sqrt(point.distance_squared); }
 };
 
+/// True if a facet with the closest point `point` to `p` (m) faces it from the other side, seen from the facet with the
+/// unit vector `out` that touches it.
+template <class T> bool lies_across(const Vec3<T> &out, const FacetPoint<T> &point, const Vec3<T> &p) {
+  const Vec3<T> gap = p - point.position;
+  return point.normal.dot(gap) > T(0) && out.dot(gap) <= T(-0.3) * std::sqrt(point.distance_squared);
+}
+
 /// Closest point of the candidate facets to `p` (m), where slave `a` of the active list is, if nearer than `limit` (m).
 /// With `across`, a unit vector out of a facet that touches `p`, only facets on the other side of `p` count that face
 /// it.
@@ -48,10 +55,8 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     std::array<Vec3<T>, 4> corner;
     for (int c = 0; c < 4; ++c) corner[c] = nodes.position[contact.facets[f].nodes[c]];
     const FacetPoint<T> point = closest_on_facet(p, corner);
-    const Vec3<T> gap = p - point.position;
-    if (across && (point.normal.dot(gap) <= T(0) || across->dot(gap) > T(-0.3) * std::sqrt(point.distance_squared)))
-      continue;
-    const T alignment = std::abs(point.normal.dot(gap));
+    if (across && !lies_across<T>(*across, point, p)) continue;
+    const T alignment = std::abs(point.normal.dot(p - point.position));
     const T tie = T(1e-6) * (best.distance_squared + point.distance_squared);
     if (facet < 0 || point.distance_squared < best.distance_squared - tie ||
         (point.distance_squared <= best.distance_squared + tie && alignment > best_alignment)) {

@@ -126,7 +126,7 @@ T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nod
 }
 
 /// The mean of the fastest motions of the hexes at the n-th node of the body, weighted with their shares in its mass.
-/// That of removed hexes does not count: it may go at any time; nor that of hexes without volume, which is no bound.
+/// That of removed hexes does not count: it may go at any time.
 template <class T, class Law, class Rule>
 FastestMotion<T> mean_at_node(const HexBody<T, Law, Rule> &body, const std::vector<FastestMotion<T>> &of_hexes,
                               Index n) {
@@ -135,7 +135,7 @@ FastestMotion<T> mean_at_node(const HexBody<T, Law, Rule> &body, const std::vect
   T mass{};
   for (Index k = list.begin[n]; k < list.begin[n + 1]; ++k) {
     const Index e = list.corners[k] / 8;
-    if (is_removed(body, e) || !(of_hexes[e].omega_squared > T(0))) continue;
+    if (is_removed(body, e)) continue;
     const T share = body.corner_mass[e][list.corners[k] % 8];
     mean.omega_squared += share * of_hexes[e].omega_squared;
     mean.damping += share * of_hexes[e].damping;
@@ -151,7 +151,10 @@ template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, La
   const Index count = static_cast<Index>(body.hexes.size());
   std::vector<FastestMotion<T>> of_hexes(body.hexes.size());
   parallel_for(count, [&](Index e) {
-    if (!is_removed(body, e)) of_hexes[e] = fastest_motion(body, nodes, e);
+    if (is_removed(body, e)) return;
+    of_hexes[e] = fastest_motion(body, nodes, e);
+    // Without volume it has no bound, and must not lower that of its neighbours.
+    if (!(of_hexes[e].omega_squared > T(0))) of_hexes[e] = {};
   });
   const T none = std::numeric_limits<T>::max();
   const T of_waves =
