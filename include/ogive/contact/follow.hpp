@@ -19,7 +19,7 @@ namespace ogive {
 template <class T> void settle(NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, T dt) {
   const auto end = [&](ContactForce<T> &force) {
     add_half_work(contact, nodes, s, force, dt);
-    add_to_nodes(contact, nodes, s, force, T(-1));
+    take_back(contact, nodes, s, force);
     force = {};
   };
   end(contact.forces[s]);

@@ -158,13 +158,20 @@ void add_half_work(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s, co
   contact.friction_energy[s] -= T(0.5) * dt * v.dot(c.friction);
 }
 
-/// Adds a force on slave `s` and its reaction, times `sign`, to the forces of the nodes.
+/// Adds the reaction to a force on a slave, times `sign`, to the forces of the facet's nodes.
 template <class T>
-void add_to_nodes(const NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, const ContactForce<T> &c, T sign) {
+void add_reaction(const NodeToSurface<T> &contact, Nodes<T> &nodes, const ContactForce<T> &c, T sign) {
   if (c.facet < 0) return;
-  const Vec3<T> force = sign * (c.normal + c.friction), reaction = reflected<T>(force, c.reflection);
-  nodes.force[contact.slaves[s]] += force;
+  const Vec3<T> reaction = reflected<T>(sign * (c.normal + c.friction), c.reflection);
   for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
+}
+
+/// Takes a force on slave `s` and its reaction out of the forces of the nodes.
+template <class T>
+void take_back(const NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, const ContactForce<T> &c) {
+  if (c.facet < 0) return;
+  nodes.force[contact.slaves[s]] -= c.normal + c.friction;
+  add_reaction(contact, nodes, c, T(-1));
 }
 
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come
@@ -215,15 +222,10 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
   });
 
   // Masters share nodes; the slaves in contact are few, so one thread hands over their reactions in a fixed order.
-  const auto hand_over = [&](const ContactForce<T> &c) {
-    if (c.facet < 0) return;
-    const Vec3<T> reaction = reflected<T>(c.normal + c.friction, c.reflection);
-    for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
-  };
   for (Index s : contact.active) {
     if (contact.forces[s].lost && contact.lost < 0) contact.lost = s;
-    hand_over(contact.forces[s]);
-    if (!contact.opposite.empty()) hand_over(contact.opposite[s]);
+    add_reaction(contact, nodes, contact.forces[s], T(1));
+    if (!contact.opposite.empty()) add_reaction(contact, nodes, contact.opposite[s], T(1));
   }
 }
 
