@@ -61,8 +61,8 @@ std::string help(const Campaign &campaign) {
     return input::help_item(input::flag_of(key), text);
   };
   return campaign.name + ": " + campaign.purpose +
-         "\nShots that have a row in OUT/shots*.csv are not run again; a run that is stopped goes on where it "
-         "was.\n\n" +
+         "\nShots that have a row in OUT/shots*.csv are not run again; one that was stopped "
+         "goes on from its checkpoint.\n\n" +
          item("figure N", "this one alone, of " + figures_of(campaign)) +
          item("quick", "coarse: particles 1.5 mm apart, in vtk_out/figures_quick") +
          item("method sfm|stabilised|adaptive",

@@ -41,6 +41,7 @@ std::vector<std::string> arguments_of(const Workshop &workshop, const Task &task
       "--out=" + folder_of(workshop, key).string(),
       "--quiet",
       "--no-picture",
+      "--resume",
   };
   if (task.frames_us > 0)
     arguments.emplace_back("--output-every-us=" + number(task.frames_us));

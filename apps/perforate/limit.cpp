@@ -19,7 +19,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <sstream>
 
 namespace perforate {
 
@@ -90,14 +89,9 @@ bool add_shot(Shots &shots, double velocity_mps) {
   Options o = shots.options;
   o.velocity_mps = velocity_mps;
   o.out = shots.options.out / (shortest(velocity_mps) + "mps");
-  const bool same = has_case(o, plates_of(o));
-  auto known = same ? known_result(o.out, velocity_mps) : std::nullopt;
+  auto known = has_case(o, plates_of(o)) ? known_result(o.out, velocity_mps) : std::nullopt;
   if (!known) {
-    const auto checkpoint = (o.out / checkpoint_name).string();
-    std::ostringstream none;
-    const char *const go_on[] = {shots.program, "--restart", checkpoint.c_str()};
-    const bool stopped = same && fs::exists(checkpoint) && !fs::exists(o.out / "summary.json");
-    const Outcome outcome = run_case(stopped ? parse(3, go_on, none).value() : o, shots.program, Telling::problems);
+    const Outcome outcome = run_case(resumed(o), shots.program, Telling::problems);
     shots.status = outcome.status;
     if (outcome.status != success) {
       std::fprintf(stderr, "perforate limit: the same command goes on with the shot at %g m/s\n", velocity_mps);

@@ -85,6 +85,7 @@ std::vector<input::Flag> flags() {
         {entry.key, allowed_text(entry, value), std::is_same_v<V, bool> ? input::Flag::none : input::Flag::one});
   });
   all.push_back({"restart", "the name of a checkpoint file"});
+  all.push_back({"resume", "", input::Flag::none});
   return all;
 }
 
@@ -251,6 +252,8 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
 
   for (const Given &given : line.given)
     if (given.key == "restart") return parse_restart(line, given);
+  const auto is_resume = [](const Given &given) { return given.key == "resume"; };
+  const bool resume = std::any_of(line.given.begin(), line.given.end(), is_resume);
 
   Options options;
   Origins origins;
@@ -272,7 +275,7 @@ std::optional<Options> parse(int argc, const char *const *argv, std::ostream &te
   settle_projectile(options, origins);
   if (!origins.contains("out")) options.out = default_out(options);
   check(options, origins);
-  return options;
+  return resume ? resumed(options) : options;
 }
 
 } // namespace perforate

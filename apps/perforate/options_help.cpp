@@ -74,6 +74,9 @@ std::string help() {
                                       "FILE's, the results go on in its folder; only --end-us, --out, "
                                       "--output-every-us, --checkpoint-every-us, --vtk, --picture, --quiet and "
                                       "--threads may be given anew");
+  text += help_item("--resume", "go on from the " + checkpoint +
+                                    " in the folder for the results, if an interrupted run of this very case left one "
+                                    "there; else begin");
   text += help_item("--version", "print the version");
   text += help_item("--help", "print this text");
   text += "\nCommands:\n";

@@ -112,6 +112,19 @@ diff <(results whole) <(results new_folder) >&2 || fail "new_folder: another sum
 "$perforate" --restart by_INT2/checkpoint.bin > by_INT2.out
 require_same by_INT2
 
+echo "The same command with --resume, twice stopped, and once more after the end"
+for rows in 8 25; do
+  start resumed "${shot[@]}" --threads 2 --out resumed --resume
+  wait_for_rows resumed "$rows" || true
+  stop_with TERM 143 resumed
+done
+# A run that begins puts the checkpoint aside.
+[ ! -e resumed/checkpoint_before.bin ] || fail "resumed: from the beginning"
+for times in 1 2; do
+  "$perforate" "${shot[@]}" --threads 1 --out resumed --resume > resumed.out
+  require_same resumed
+done
+
 echo "kill -9, twice in a run"
 start killed "${shot[@]}" --threads 2 --checkpoint-every-us 2 --out killed
 wait_for_rows killed 17 || true

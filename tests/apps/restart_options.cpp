@@ -19,8 +19,8 @@ namespace {
 std::string write_checkpoint_of(const std::filesystem::path &folder, const Options &options,
                                 const std::string &program = "perforate") {
   ogive::ArchiveWriter notes;
-  const auto metal = perforate::read_metal(options, "--material");
-  notes(SavedCase{program, "0.1.0", perforate::to_complete_toml(options), material_file::to_toml(metal, ""), 12.5});
+  notes(SavedCase{program, "0.1.0", perforate::to_complete_toml(options),
+                  perforate::metals_text(options, perforate::plates_of(options)), 12.5});
   const auto file = folder / "checkpoint.bin";
   ogive::write_checkpoint_file(file, 8, notes.bytes, {});
   return file.string();
@@ -101,4 +101,57 @@ TEST_CASE("checkpoints of others and damaged ones are refused with one line") {
     const std::string message = refusal({"--restart", file.c_str()});
     CHECK(message.find('\n') == std::string::npos);
   }
+}
+
+TEST_CASE("a run that takes up another does so if that is the same case and has not ended") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path.string();
+  const std::vector<const char *> given{"--nose", "conical", "--no-vtk", "--out", out.c_str()};
+  const auto with = [&](std::vector<const char *> more) {
+    more.insert(more.begin(), given.begin(), given.end());
+    return options_of(more);
+  };
+  const Options fresh = with({});
+  CHECK(with({"--resume"}) == fresh);
+
+  const std::string file = write_checkpoint_of(folder.path, with({"--threads", "3", "--out", "moved"}));
+  Options o = with({"--resume", "--threads", "2", "--quiet", "--no-picture"});
+  REQUIRE(o.restart);
+  CHECK(o.restart->file == file);
+  CHECK(o.restart->time_us == 12.5);
+  o.restart.reset();
+  CHECK(o == with({"--threads", "2", "--quiet", "--no-picture"}));
+
+  for (const std::vector<const char *> &other : std::vector<std::vector<const char *>>{{"--velocity-mps", "304"},
+                                                                                       {"--spacing-mm", "0.7"},
+                                                                                       {"--model", "jc"},
+                                                                                       {"--friction", "0.1"},
+                                                                                       {"--end-us", "900"},
+                                                                                       {"--vtk"},
+                                                                                       {"--output-every-us", "1"}}) {
+    std::vector<const char *> more = other;
+    more.push_back("--resume");
+    CHECK_FALSE(with(more).restart);
+  }
+
+  write(folder.path / "summary.json", "{}");
+  CHECK_FALSE(with({"--resume"}).restart);
+  std::filesystem::remove(folder.path / "summary.json");
+  REQUIRE(with({"--resume"}).restart);
+  ogive::write_checkpoint_file(file, 8, "notes", {});
+  CHECK(with({"--resume"}) == fresh);
+}
+
+TEST_CASE("a run does not take up one with other constants of the metal") {
+  const TemporaryFolder folder;
+  const std::string steel = (folder.path / "steel.toml").string(), out = folder.path.string();
+  const std::string text = material_file::to_toml(perforate::read_metal(Options{}, ""), "");
+  write(steel, text);
+  write_checkpoint_of(folder.path, options_of({"--material", steel.c_str(), "--out", out.c_str()}));
+  const std::vector<const char *> resume{"--material", steel.c_str(), "--out", out.c_str(), "--resume"};
+  CHECK(options_of(resume).restart);
+  const auto at = text.find("\nC = ");
+  REQUIRE(at != std::string::npos);
+  write(steel, text.substr(0, at) + "\nC = 0.5" + text.substr(text.find('\n', at + 1)));
+  CHECK_FALSE(options_of(resume).restart);
 }
