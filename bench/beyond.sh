@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # beyond.sh [folder]: the shots behind docs/beyond.md, --method stabilised: the 12 mm plate that its parameters were
 # chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
-# --method adaptive (PART=adaptive: these alone), what its limits at 6 and 12 mm depend on (PART=damage), and all limits
+# --method adaptive (PART=adaptive: these alone), what its limits at 6 and 12 mm depend on (PART=damage), all limits
 # of blunt projectiles on steel with other sizes of hexes (PART=mesh; THICKNESSES="6 12": these plates, SIZES=0.8: this
-# size). Shots that the folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
+# size), and what it costs against the paper's method (PART=cost: of the shots on the page of results). Shots that the
+# folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/beyond}
@@ -157,7 +158,43 @@ mesh_tables() {
   done
 }
 
+# Of shots that both methods have. Not run side by side: part of them on another CPU or beside other work.
+cost_table() {
+  echo 'Processor time of the same shots on the page of results, modified law, as it was when each was run:'
+  echo
+  echo "| nose | plate | shots | the paper's method, s | adaptive, s | ratio |"
+  echo '|---|---|---|---|---|---|'
+  awk -F, '
+    NR == 1 { for (k = 1; k <= NF; ++k) if ($k == "cpu_s") cpu = k; next }
+    $2 == "mjc" { seconds[$1, $3 "," $4 "," $5, $6] = $cpu; if ($1 == "adaptive") shot[++n] = $3 "," $4 "," $5 SUBSEP $6 }
+    function row(nose, plate, shots, sfm, adaptive) {
+      printf "| %s | %s | %d | %.0f | %.0f | %.2f |\n", nose, plate, shots, sfm, adaptive, adaptive / sfm
+    }
+    END {
+      for (k = 1; k <= n; ++k) {
+        if (!(("sfm" SUBSEP shot[k]) in seconds)) continue
+        split(shot[k], part, SUBSEP)
+        if (!(part[1] in shots)) order[++m] = part[1]
+        ++shots[part[1]]
+        sfm[part[1]] += seconds["sfm", shot[k]]
+        adaptive[part[1]] += seconds["adaptive", shot[k]]
+      }
+      for (k = 1; k <= m; ++k) {
+        split(order[k], name, ",")
+        row(name[2], name[3] " mm " name[1], shots[order[k]], sfm[order[k]], adaptive[order[k]])
+        all += shots[order[k]]
+        all_sfm += sfm[order[k]]
+        all_adaptive += adaptive[order[k]]
+      }
+      if (all > 0) row("all", "", all, all_sfm, all_adaptive)
+    }' "$root/docs/results/run_record.csv"
+}
+
 made_by beyond.sh
+if [ "${PART:-}" = cost ]; then
+  cost_table
+  exit
+fi
 if [ "${PART:-}" = mesh ]; then
   mesh_tables
   exit
@@ -216,3 +253,5 @@ echo
 damage_tables
 echo
 mesh_tables
+echo
+cost_table
