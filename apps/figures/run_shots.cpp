@@ -5,9 +5,11 @@
 #include "shot_lock.hpp"
 
 #include "ogive/io/write_error.hpp"
+#include "shared/signals.hpp"
 
 #include <sys/wait.h>
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <list>
@@ -191,15 +193,16 @@ bool begin(Work &w, const Task &task) {
   }
 }
 
-/// Ends the shots that are running; a second signal does not let them take their time.
+/// Ends the shots that are running; a signal that insists does not let them take their time.
 void stop(Work &w, int signal) {
   w.outcome.stopped_by = signal;
+  const auto told_at = std::chrono::steady_clock::now();
   for (const auto &[child, shot] : w.running) {
     ::kill(child, SIGTERM);
     ::kill(child, SIGCONT); // somebody may have paused it
   }
   for (collect_ended(w); !w.running.empty(); collect_ended(w))
-    if (w.signals.wait({}) != 0)
+    if (w.signals.wait({}) != 0 && std::chrono::steady_clock::now() - told_at > input::one_order)
       for (const auto &[child, shot] : w.running) ::kill(child, SIGKILL);
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interrupt.hpp"
 
+#include "shared/signals.hpp"
+
+#include <atomic>
+
 namespace perforate {
 
 namespace {
@@ -9,9 +13,18 @@ constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 
 // A handler can reach nothing else.
 volatile std::sig_atomic_t caught = 0;
+std::atomic<std::chrono::steady_clock::rep> caught_at = 0;
+static_assert(decltype(caught_at)::is_always_lock_free);
 
 extern "C" void note_signal(int signal) {
-  if (caught == 0) caught = signal;
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  if (caught == 0) {
+    caught_at = now.count();
+    caught = signal;
+  } else if (now - std::chrono::steady_clock::duration(caught_at) > input::one_order) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 } // namespace
@@ -21,7 +34,7 @@ SignalCatcher::SignalCatcher() {
   struct sigaction noting {};
   noting.sa_handler = note_signal;
   // A write that is under way goes on.
-  noting.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  noting.sa_flags = SA_RESTART;
   for (std::size_t k = 0; k < signals.size(); ++k) {
     ::sigaction(signals[k], nullptr, &before[k]);
     // Programs in the background of a script and those that nohup starts are to go on.

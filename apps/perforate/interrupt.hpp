@@ -7,8 +7,8 @@
 
 namespace perforate {
 
-/// While it lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP are noted and nothing more, unless they were ignored before. The
-/// second one of a kind ends the program at once.
+/// While it lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP are noted and nothing more, unless they were ignored before. One
+/// that comes more than a second after the first ends the program at once.
 class SignalCatcher {
 public:
   SignalCatcher();

@@ -93,7 +93,7 @@ TEST_CASE("A signal ends a campaign and its shots; the next call goes on") {
   }
 }
 
-TEST_CASE("Signals that were ignored stay so, and a second one ends shots that hold out") {
+TEST_CASE("Signals that were ignored stay so, and one that insists ends shots that hold out") {
   const FakeWorkshop fake("trap '' TERM; printf %s $$ > $here/pid_$velocity; while :; do sleep 0.1; done");
   const pid_t campaign = in_child([&] {
     std::signal(SIGINT, SIG_IGN);
@@ -103,8 +103,11 @@ TEST_CASE("Signals that were ignored stay so, and a second one ends shots that h
   const auto after = [](int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
   ::kill(campaign, SIGINT);
   after(200);
+  // The same order, told twice.
   ::kill(campaign, SIGTERM);
   after(200);
+  ::kill(campaign, SIGTERM);
+  after(1000);
   for (const auto &shot : shots) CHECK(is_alive(shot));
   ::kill(campaign, SIGTERM);
   CHECK(shell_status(campaign) == SIGTERM);

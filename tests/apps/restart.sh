@@ -112,6 +112,14 @@ diff <(results whole) <(results new_folder) >&2 || fail "new_folder: another sum
 "$perforate" --restart by_INT2/checkpoint.bin > by_INT2.out
 require_same by_INT2
 
+echo "The same signal many times at once, as from a batch system: a checkpoint all the same"
+start twice "${shot[@]}" --threads 2 --out twice
+wait_for_rows twice 12 || true
+for times in {1..50}; do kill -TERM "$child" 2> /dev/null || break; done
+status=0
+wait "$child" || status=$?
+[ "$status" -eq 143 ] && [ -e twice/checkpoint.bin ] || fail "twice: status $status: $(cat twice.err)"
+
 echo "The same command with --resume, twice stopped, and once more after the end"
 for rows in 8 25; do
   start resumed "${shot[@]}" --threads 2 --out resumed --resume
