@@ -156,9 +156,10 @@ double estimated_particles(const Options &options);
 /// Reads the command line (argv[0] is skipped) and the TOML file that --config names; the command line wins. The name
 /// of a material file counts from the folder of the TOML file, or on the command line from the current one. With
 /// --restart the case is that of the checkpoint, and its folder that of the results; only options that leave the
-/// physics as they are may be given. With --resume see resumed(). Returns nothing if --help, --version or --material list was asked for and has been
-/// written to `text`. Throws ogive::SetupError, one line that names the option (or file, line and key), the value and
-/// what is allowed. Reads the material file or the checkpoint to check it, and touches no other.
+/// physics as they are may be given. With --resume see resumed(). Returns nothing if --help, --version or --material
+/// list was asked for and has been written to `text`. Throws ogive::SetupError, one line that names the option (or
+/// file, line and key), the value and what is allowed. Reads the material file or the checkpoint to check it, and
+/// touches no other.
 std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text);
 
 /// The options of a run that takes up what an earlier one left in the folder `options.out`: they go on from the
