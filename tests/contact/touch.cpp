@@ -159,8 +159,9 @@ TEST_CASE("wrong contacts are refused", "[contact]") {
 }
 
 TEST_CASE("the search finds candidates again after any move", "[contact]") {
-  // Slaves wander through and around the cube by up to 0.4 mm a step, and now and then far away. The contact that was
-  // kept gives the same forces as one made anew.
+  // Slaves wander through and around the cube, by up to 0.4 mm a step or so little that most have room left from the
+  // last look, and now and then far away. The contact that was kept gives the same forces as one made anew.
+  const double way = GENERATE(0.4, 0.01) * edge;
   Nodes<double> nodes;
   const Surface cube = add_surface(nodes, brick<double>(2, 2, 2, V::Constant(2 * edge)));
   Noise noise;
@@ -168,9 +169,9 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
   for (int i = 0; i < 60; ++i) start.emplace_back(V::Constant(edge) + 2 * edge * noise.vector());
   const NodeRange slaves = add_free(nodes, start, 1e-3);
   auto kept = contact_of(nodes, slaves, offset, cube.facets);
-  int touching = 0;
+  int touching = 0, with_room = 0;
   for (int step = 0; step < 200; ++step) {
-    for (Index n = slaves.begin; n < slaves.end; ++n) nodes.position[n] += 0.4 * edge * noise.vector();
+    for (Index n = slaves.begin; n < slaves.end; ++n) nodes.position[n] += way * noise.vector();
     if (step % 50 == 20)
       for (Index n = slaves.begin; n < slaves.end; ++n) nodes.position[n] += V(50, 0, 0) * edge;
     if (step % 50 == 25)
@@ -179,6 +180,7 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
     clear(nodes);
     add_contact_force(kept, nodes, 0.0, 1e-7);
     const std::vector<V> forces = nodes.force;
+    for (Index s : kept.active) with_room += kept.room[s] > 0;
     clear(nodes);
     auto fresh = contact_of(nodes, slaves, offset, cube.facets);
     add_contact_force(fresh, nodes, 0.0, 1e-7);
@@ -186,6 +188,25 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
     for (Index n = slaves.begin; n < slaves.end; ++n) touching += forces[n].norm() > 0;
   }
   CHECK(touching > 500);
+  CHECK(with_room > 500);
+}
+
+TEST_CASE("a slave has room for its distance from what it can touch", "[contact]") {
+  // 0.3 mm above the sphere's touch, beside an edge, where the distance goes past the rounded edge; in touch; inside.
+  const auto room = [](const V &p) { return Touching(p).contact.room[0]; };
+  CHECK(room({0.7 * edge, 1.2 * edge, 2.8 * edge}) == Approx(0.99 * 0.3 * edge));
+  CHECK(room({2.4 * edge, 0.6 * edge, 2.4 * edge}) == Approx(0.99 * (std::hypot(0.4, 0.4) * edge - offset)));
+  CHECK(room({0.7 * edge, 1.2 * edge, 2.3 * edge}) == 0);
+  CHECK(room({0.7 * edge, 1.2 * edge, 1.8 * edge}) == 0);
+  // It is used up by the slave's way and the surface's, whichever way they go.
+  Touching t({0.7 * edge, 1.2 * edge, 2.8 * edge});
+  t.nodes.position.back() += V(0.03, 0, 0.04) * edge;
+  add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
+  CHECK(t.contact.room[0] == Approx((0.99 * 0.3 - 0.05) * edge));
+  for (V &p : t.nodes.position) p += V(0, 0, 0.2) * edge;
+  t.nodes.position.back() += V(0, 0, -0.1) * edge;
+  add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
+  CHECK(t.contact.room[0] == Approx((0.99 * 0.3 - 0.15) * edge));
 }
 
 TEST_CASE("a slave in a gap narrower than itself swings between both walls", "[contact]") {

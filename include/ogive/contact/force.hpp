@@ -21,6 +21,7 @@ template <class T> struct Touch {
   T depth{};                           ///< m, positive where the slave's sphere enters the surface
   bool lost = false;                   ///< no contact, because the slave is deeper inside than it may be
   Reflection reflection{};             ///< in which the slave sees the facet
+  T room{};                            ///< m, without contact: how far both may approach before there can be one
 };
 
 /// The facet nearest to a slave, and its point there.
@@ -75,25 +76,32 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
   return {facet, best, outside};
 }
 
-/// How a slave touches the surface. At an edge or corner the direction is that from the surface to the slave, so that
-/// it turns smoothly around the edge; in a mirror plane it stays in the plane. `across` as in find_nearest().
+/// The offset of slave `s` at present, m.
+template <class T> T offset_now(const NodeToSurface<T> &contact, Index s) {
+  return contact.present_offset.empty() ? contact.offset[s] : contact.present_offset[s];
+}
+
+/// How deep inside the surface slave `s` may be, m. One that began inside is lost if it gets deeper than there by as
+/// much as the others may.
+template <class T> T deepest_place(const NodeToSurface<T> &contact, Index s) {
+  return contact.search_margin - std::min(offset_now(contact, s), T(0));
+}
+
+/// How slave `a` of the active list touches the surface at `nearest`. At an edge or corner the direction is that from
+/// the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
 template <class T>
-Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a,
-                    const std::optional<Vec3<T>> &across = {}) {
+Touch<T> touch_at(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const NearestFacet<T> &nearest) {
   const Index slave = contact.active[a];
-  const Vec3<T> p = on_model_side(contact, nodes, slave);
-  const T offset = contact.present_offset.empty() ? contact.offset[slave] : contact.present_offset[slave];
-  // One that began inside is lost if it gets deeper than there by as much as the others may.
-  const T deepest = contact.search_margin - std::min(offset, T(0));
-  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[slave] + deepest, across);
+  const Vec3<T> p = on_model_side(contact, nodes.position, slave);
+  const T offset = offset_now(contact, slave), deepest = deepest_place(contact, slave);
   const Index facet = nearest.facet;
   const FacetPoint<T> &best = nearest.point;
-  if (facet < 0) return {};
+  if (facet < 0) return {.room = deepest};
   const Vec3<T> gap = p - best.position;
   const T distance = std::sqrt(best.distance_squared);
   const bool outside = nearest.outside;
   const T depth = outside ? offset - distance : offset + distance;
-  if (depth <= T(0)) return {};
+  if (depth <= T(0)) return {.room = outside ? -depth : T(0)};
   if (!outside && distance > deepest) return {.lost = true};
   Vec3<T> direction = best.normal;
   if (distance > T(1e-3) * contact.facet_radius[facet]) direction = (outside ? T(1) : T(-1)) / distance * gap;
@@ -104,6 +112,16 @@ Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Inde
   if (length < T(0.1)) return {};
   const Reflection reflection = to_model_side(nodes.position[contact.slaves[slave]], contact.symmetry);
   return {facet, best.weights, reflected<T>(direction / length, reflection), depth, false, reflection};
+}
+
+/// How slave `a` of the active list touches the surface. `across` as in find_nearest().
+template <class T>
+Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a,
+                    const std::optional<Vec3<T>> &across = {}) {
+  const Index s = contact.active[a];
+  const Vec3<T> p = on_model_side(contact, nodes.position, s);
+  return touch_at(contact, nodes, a,
+                  find_nearest(contact, nodes, a, p, contact.offset[s] + deepest_place(contact, s), across));
 }
 
 /// Velocity of the slave relative to the facet's point as the slave sees it, m/s. `touch` is a Touch or ContactForce.
@@ -137,16 +155,18 @@ template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, cons
   return std::min(contact.slave_mass[s], facet_mass);
 }
 
-/// Lets the offset of slave `a` of the active list grow towards its own, no faster than the slave leaves the surface:
-/// one that began inside the surface is not thrown out.
-template <class T> void grow_offset(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
-  const Index slave = contact.active[a];
-  T &present = contact.present_offset[slave];
-  const T full = contact.offset[slave];
-  if (present >= full) return;
-  const Vec3<T> p = on_model_side(contact, nodes, slave);
-  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, full + contact.search_margin);
+/// The same for a slave whose offset is less than its own: the offset grows, no faster than the slave leaves the
+/// surface, so that one that began inside is not thrown out.
+template <class T> Touch<T> find_growing_touch(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
+  const Index s = contact.active[a];
+  const T full = contact.offset[s], reach = full + contact.search_margin;
+  const Vec3<T> p = on_model_side(contact, nodes.position, s);
+  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, reach);
+  T &present = contact.present_offset[s];
   present = std::max(present, nearest.facet < 0 ? full : std::min(full, nearest.gap()));
+  const bool is_near = nearest.facet >= 0 && nearest.point.distance_squared <= reach * reach;
+  if (is_near || full + deepest_place(contact, s) <= reach) return touch_at(contact, nodes, a, nearest);
+  return find_touch(contact, nodes, a);
 }
 
 /// Adds half of the work of a force on slave `s` over `dt` (s), done at the velocities now, to the ledger.
@@ -173,10 +193,33 @@ template <class T> void take_back(const NodeToSurface<T> &contact, Nodes<T> &nod
   add_reaction(contact, nodes, c, T(-1));
 }
 
+/// Takes the way that each slave and the surface may have come closer since the last look from its room.
+template <class T> void use_up_room(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
+  const Box<T> surface = box_of_moves(nodes, contact.seen_at, contact.masters);
+  parallel_for(static_cast<Index>(contact.active.size()), [&](Index a) {
+    const Index s = contact.active[a];
+    if (!(contact.room[s] > T(0))) return;
+    const Vec3<T> u = on_model_side(contact, nodes.position, s) - on_model_side(contact, contact.seen_at, s);
+    contact.room[s] -= (u - surface.low).cwiseAbs().cwiseMax((u - surface.high).cwiseAbs()).norm();
+  });
+}
+
+/// The room of slave `s` after a look at it, m: until it is used up, what it touches need not be looked for. None for
+/// one that touches, or whose offset grows.
+template <class T> T room_after(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
+  if (offset_now(contact, s) < contact.offset[s]) return T(0);
+  return T(0.99) * touch.room; // the closest point is known to 1e-6 of its distance
+}
+
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt` (s; the step to come
 /// is `next`) to the ledger (trapezoidal rule between the forces before and now).
 template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt, T next) {
-  if (is_search_due(contact, nodes)) search(contact, nodes);
+  if (is_search_due(contact, nodes)) {
+    search(contact, nodes);
+    contact.room.assign(contact.slaves.size(), T(0));
+  } else {
+    use_up_room(contact, nodes);
+  }
   if (contact.reference_time_step == T(0)) contact.reference_time_step = next;
   parallel_for(static_cast<Index>(contact.facets.size()), [&](Index f) {
     Vec3<T> middle = Vec3<T>::Zero();
@@ -189,14 +232,17 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
 
   parallel_for(static_cast<Index>(contact.active.size()), [&](Index a) {
     const Index s = contact.active[a], node = contact.slaves[s];
+    if (contact.room[s] > T(0)) return;
     ContactForce<T> now, opposite;
     const auto force_of = [&](const Touch<T> &touch) {
       const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
       return contact_force(touch, contact.options, velocity, penalty_mass(contact, s, touch),
                            contact.reference_time_step);
     };
-    if (!contact.present_offset.empty()) grow_offset(contact, nodes, a);
-    if (const Touch<T> touch = find_touch(contact, nodes, a); touch.lost) {
+    const bool grows = offset_now(contact, s) < contact.offset[s];
+    const Touch<T> touch = grows ? find_growing_touch(contact, nodes, a) : find_touch(contact, nodes, a);
+    contact.room[s] = room_after(contact, s, touch);
+    if (touch.lost) {
       if (contact.options.may_bury)
         contact.present_offset[s] = std::numeric_limits<T>::lowest();
       else
@@ -219,6 +265,8 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
     contact.opposite[s] = opposite;
     nodes.force[node] += opposite.normal + opposite.friction;
   });
+
+  contact.seen_at = nodes.position;
 
   // Masters share nodes; the slaves in contact are few, so one thread hands over their reactions in a fixed order.
   for (Index s : contact.active) {

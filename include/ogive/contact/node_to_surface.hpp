@@ -43,6 +43,7 @@ template <class T> struct NodeToSurface {
   bool follows = false;                      ///< masses of slaves, and maybe facets, change: see follow.hpp
   std::vector<T> present_offset;             ///< m, of slaves that began nearer than `offset`; empty: that of all
   std::vector<Facet> facets;                 ///< masters, outward
+  std::vector<Index> masters;                ///< the nodes of the facets, each once
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
   T reference_time_step{};                   ///< s, of the stiffness; 0: that of the first step
   std::vector<ContactForce<T>> forces;       ///< one for each slave
@@ -53,6 +54,8 @@ template <class T> struct NodeToSurface {
 
   T search_margin{};                  ///< m, how far slave and facet may approach before the next search
   std::vector<Vec3<T>> searched_at;   ///< positions of all nodes at the last search, m
+  std::vector<Vec3<T>> seen_at;       ///< positions of all nodes at the last look at the slaves, m
+  std::vector<T> room;                ///< m, how far each slave and the surface may still approach before they can touch
   std::vector<Index> active;          ///< slaves that have candidates
   std::vector<Index> candidate_begin; ///< for each active slave, and the end
   std::vector<Index> candidates;      ///< facets
@@ -65,6 +68,11 @@ template <class T> void set_facets(NodeToSurface<T> &c, const Nodes<T> &nodes, s
   c.facets = std::move(facets);
   c.facet_middle.resize(c.facets.size());
   c.facet_radius.resize(c.facets.size());
+  std::vector<bool> is_master(nodes.position.size(), false);
+  c.masters.clear();
+  for (const Facet &f : c.facets)
+    for (Index n : f.nodes)
+      if (!is_master[n]) is_master[n] = true, c.masters.push_back(n);
   c.master_mass.clear();
   if (c.options.rigid_masters) return;
   for (const Facet &f : c.facets) {
@@ -108,6 +116,7 @@ NodeToSurface<T> make_contact(const Nodes<T> &nodes, std::vector<Index> slaves, 
     c.slave_mass.push_back(nodes.mass[s]);
   }
   c.forces.resize(slaves.size());
+  c.room.assign(slaves.size(), T(0));
   c.normal_energy.assign(slaves.size(), T(0));
   c.friction_energy.assign(slaves.size(), T(0));
   c.slaves = std::move(slaves);

@@ -35,31 +35,35 @@ template <class T> bool is_inside(const Box<T> &box, const Vec3<T> &p) {
   return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
 }
 
+/// Box around the ways that the nodes of `list` have gone since they were at the positions `then` (m).
+template <class T>
+Box<T> box_of_moves(const Nodes<T> &nodes, const std::vector<Vec3<T>> &then, const std::vector<Index> &list) {
+  return ordered_fold(
+      static_cast<Index>(list.size()), Box<T>{},
+      [&](Index i) {
+        const Vec3<T> u = nodes.position[list[i]] - then[list[i]];
+        return Box<T>{u, u};
+      },
+      [](const Box<T> &a, const Box<T> &b) {
+        return Box<T>{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+      });
+}
+
 /// True if a slave and a facet may have come closer by more than the search margin since the last search.
 template <class T> bool is_search_due(const NodeToSurface<T> &contact, const Nodes<T> &nodes) {
   if (contact.searched_at.size() != nodes.position.size()) return true;
-  const auto moved_box = [&](Index count, auto &&node_of) {
-    return ordered_fold(
-        count, Box<T>{},
-        [&](Index i) {
-          const Vec3<T> u = nodes.position[node_of(i)] - contact.searched_at[node_of(i)];
-          return Box<T>{u, u};
-        },
-        [](const Box<T> &a, const Box<T> &b) {
-          return Box<T>{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
-        });
-  };
-  Box<T> moved = moved_box(static_cast<Index>(contact.slaves.size()), [&](Index i) { return contact.slaves[i]; });
-  const Box<T> masters = moved_box(static_cast<Index>(contact.facets.size()) * 4,
-                                   [&](Index i) { return contact.facets[i / 4].nodes[i % 4]; });
+  Box<T> moved = box_of_moves(nodes, contact.searched_at, contact.slaves);
+  const Box<T> masters = box_of_moves(nodes, contact.searched_at, contact.masters);
   extend(moved, masters.low), extend(moved, masters.high);
   const T relative = (moved.high - moved.low).norm();
   return std::isfinite(relative) && relative > contact.search_margin;
 }
 
-/// Position of slave `s`, m; of its mirror image if it was pushed across a mirror plane, where there are no facets.
-template <class T> Vec3<T> on_model_side(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index s) {
-  const Vec3<T> &p = nodes.position[contact.slaves[s]];
+/// Position of slave `s` among those of all nodes (m); of its mirror image if it was pushed across a mirror plane, where
+/// there are no facets.
+template <class T>
+Vec3<T> on_model_side(const NodeToSurface<T> &contact, const std::vector<Vec3<T>> &positions, Index s) {
+  const Vec3<T> &p = positions[contact.slaves[s]];
   return reflected(p, to_model_side(p, contact.symmetry));
 }
 
@@ -82,7 +86,7 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
   std::vector<Vec3<T>> near_position;
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
     if (contact.follows && contact.slave_mass[s] == T(0)) continue;
-    if (const Vec3<T> p = on_model_side(contact, nodes, s); is_inside(surface, p)) {
+    if (const Vec3<T> p = on_model_side(contact, nodes.position, s); is_inside(surface, p)) {
       near.push_back(s);
       near_position.push_back(p);
     }

@@ -113,6 +113,7 @@ template <class T, class... Bodies> void check_restored(const Model<T, Bodies...
   for (const auto &contact : model.contacts) {
     const auto slaves = static_cast<Index>(contact.slaves.size()), facets = static_cast<Index>(contact.facets.size());
     need(are_places(contact.searched_at), contact.name + " positions of the search");
+    need(are_places(contact.seen_at), contact.name + " positions of the last look");
     need(contact.lost >= -1 && contact.lost < slaves, contact.name + " lost slave");
     for (const auto *forces : {&contact.forces, &contact.opposite})
       need(std::all_of(forces->begin(), forces->end(),

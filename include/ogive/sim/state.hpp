@@ -71,6 +71,9 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     field("present_offset", contact.present_offset);
     FullOrEmpty searched_at{contact.searched_at, nodes};
     field("positions of the search", searched_at);
+    FullOrEmpty seen_at{contact.seen_at, nodes};
+    field("positions of the last look", seen_at);
+    field("room", contact.room);
   }
   for (auto &contact : model.particle_contacts) {
     const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
