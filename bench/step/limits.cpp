@@ -31,7 +31,7 @@ template <class F> double seconds_of(std::int64_t rounds, double start, F &&f) {
   const double begin = omp_get_wtime();
   for (std::int64_t r = 0; r < rounds; ++r) f(a);
   const double seconds = omp_get_wtime() - begin;
-  Pack<double> sum;
+  Pack<double> sum{};
   for (const auto &p : a) sum += p;
   sink = sum[0];
   return seconds;

@@ -39,7 +39,7 @@ TEST_CASE("the eigenvalue bound lies at or just above the largest eigenvalue", "
   const M R = rotation(V(1, 2, 3), 0.7);
   for (const V &d : {V(1, 1, 1), V(3, 1, 1), V(3, 3, 1), V(100, 1, 0.1), V(5, 4, 3), V(1, 1, 0)}) {
     const M full_matrix = R * d.asDiagonal() * R.transpose();
-    const double bound = largest_eigenvalue_bound(symmetric_part<double>(full_matrix));
+    const double bound = largest_eigenvalue_bound<double>(symmetric_part<double>(full_matrix));
     CHECK(bound >= d[0] * (1 - 1e-14));
     // Four Newton steps leave a sixteenth of the first guess's third where two eigenvalues coincide.
     CHECK(bound <= d[0] * 1.03);

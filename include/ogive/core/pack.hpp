@@ -37,8 +37,8 @@ template <class T> struct Pack {
   typedef T Register __attribute__((vector_size(register_bytes)));
   Register v; ///< the numbers
 
-  /// Zeros.
-  Pack() : v{} {}
+  /// Any numbers, as of a T; `Pack{}` is zeros.
+  Pack() = default;
   /// The same number in all lanes.
   Pack(T same) : v(same - Register{}) {}
   /// A constant of another type, taken as T(constant) takes it.

@@ -32,20 +32,21 @@ inline constexpr double hex_courant = 0.9;
 inline constexpr double largest_point_strain = 0.1;
 
 /// An upper bound of the largest eigenvalue of a symmetric positive tensor, a few percent above it at most: Newton's
-/// steps on the characteristic polynomial, which come from above.
-template <class T> T largest_eigenvalue_bound(const Sym3<T> &s) {
-  const T mean = trace(s) / T(3);
-  const Sym3<T> d = deviator(s);
-  const T j2 = T(0.5) * double_dot(d, d);
-  const T j3 = determinant<T>(full(d));
-  T t = T(2) * std::sqrt(j2 / T(3));
-  if (!(t > std::numeric_limits<T>::epsilon() * mean)) return mean + t;
+/// steps on the characteristic polynomial, which come from above. `N` is T or a pack of T, here and below.
+template <class T, class N> N largest_eigenvalue_bound(const Sym3<N> &s) {
+  using std::max;
+  using std::sqrt;
+  const N mean = trace(s) / N(3);
+  const Sym3<N> d = deviator(s);
+  const N j2 = N(0.5) * double_dot(d, d);
+  const N j3 = determinant<N>(full(d));
+  const N guess = N(2) * sqrt(j2 / N(3));
+  N t = guess;
   for (int step = 0; step < 4; ++step) {
-    const T slope = T(3) * t * t - j2;
-    if (!(slope > T(1e-3) * j2)) break;
-    t -= std::max(T(0), (t * t * t - j2 * t - j3) / slope);
+    const N slope = N(3) * t * t - j2;
+    t -= select(slope > N(T(1e-3)) * j2, max((t * t * t - j2 * t - j3) / slope, N(0)), N(0));
   }
-  return mean + t;
+  return mean + select(guess > N(std::numeric_limits<T>::epsilon()) * mean, t, guess);
 }
 
 /// sum_a w_a b_a b_a^T of gradients (row a: b_a) with weights w_a.
@@ -56,47 +57,70 @@ template <class T> Sym3<T> gradient_moment(const Corners<T> &b, const CornerWeig
 }
 
 /// Bounds of the fastest motion of a hex; both are inverse to its mass.
-template <class T> struct FastestMotion {
-  T omega_squared{}; ///< 1/s2
-  T damping{};       ///< 2 zeta omega of bulk and hourglass viscosity, 1/s
+template <class N> struct FastestMotion {
+  N omega_squared{}; ///< 1/s2
+  N damping{};       ///< 2 zeta omega of bulk and hourglass viscosity, 1/s
 };
 
-/// The fastest motion of hex e at the latest positions. With SelectiveReduced the deviatoric part is bounded point by
-/// point: sum_p 2 mu s_max,p + K tr S.
-template <class T, class Law, class Rule>
-FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
+/// The fastest motion of a hex with the corners `x` (m), the inverse masses there (1/kg), the density (kg/m3) and the
+/// dilatation rate (1/s) of its first point. With SelectiveReduced the deviatoric part is bounded point by point:
+/// sum_p 2 mu s_max,p + K tr S.
+template <class T, class N, class Law, class Rule>
+FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners<N> &x,
+                                const CornerWeights<N> &inverse_mass, N density, N dilatation) {
+  using std::max;
   const Elasticity<T> &elastic = body.metal.elasticity;
   const T mu = shear_modulus(elastic), bulk = bulk_modulus(elastic), lambda = bulk - T(2) / T(3) * mu;
-  const T c = sound_speed(body.metal), density = body.points.density[e * Rule::points];
-  CornerWeights<T> inverse_mass;
-  for (int a = 0; a < 8; ++a) inverse_mass[a] = T(1) / body.corner_mass[e][a];
-
-  const Corners<T> x = gather_corners(nodes.position, body.hexes[e]);
-  const MeanGradient<T> mean = mean_gradient<T>(x);
-  Sym3<T> S = gradient_moment<T>(corner_integrals<T>(mean), inverse_mass);
-  S *= T(1) / mean.volume;
-  FastestMotion<T> motion;
+  const T c = sound_speed(body.metal);
+  const MeanGradient<N> mean = mean_gradient<N>(x);
+  Sym3<N> S = gradient_moment<N>(corner_integrals<N>(mean), inverse_mass);
+  S *= N(1) / mean.volume;
+  FastestMotion<N> motion;
   if constexpr (Rule::points == 1) {
-    motion.omega_squared = T(2) * mu * largest_eigenvalue_bound(S) + std::max(lambda, T(0)) * trace(S);
+    motion.omega_squared = T(2) * mu * largest_eigenvalue_bound<T>(S) + std::max(lambda, T(0)) * trace(S);
   } else {
     motion.omega_squared = bulk * trace(S);
     for (int p = 0; p < Rule::points; ++p) {
-      const PointGradient<T> point = point_gradient<T>(x, p);
-      const Sym3<T> at_point = gradient_moment<T>(point.gradient, inverse_mass);
-      motion.omega_squared += T(2) * mu * point.volume * largest_eigenvalue_bound(at_point);
+      const PointGradient<N> point = point_gradient<N>(x, p);
+      const Sym3<N> at_point = gradient_moment<N>(point.gradient, inverse_mass);
+      motion.omega_squared += T(2) * mu * point.volume * largest_eigenvalue_bound<T>(at_point);
     }
   }
 
   const HexOptions<T> &options = body.options;
-  const T norm = gradient_norm<T>(mean), length = viscous_length<T>(norm);
-  const T closing = std::max(T(0), -body.points.velocity_gradient[e * Rule::points].trace());
+  const N norm = gradient_norm<N>(mean), length = viscous_length<N>(norm), closing = max(-dilatation, N(0));
   motion.damping = density * length * trace(S) *
                    (options.linear_bulk_viscosity * c + options.quadratic_bulk_viscosity * length * closing);
-  if constexpr (Rule::points == 1)
-    motion.damping +=
-        inverse_mass.maxCoeff() *
-        hourglass_damping<T>(options.hourglass_viscosity, p_wave_modulus(elastic), density, mean.volume, norm);
+  if constexpr (Rule::points == 1) {
+    N most = inverse_mass[0];
+    for (int a = 1; a < 8; ++a) most = max(most, inverse_mass[a]);
+    motion.damping += most * hourglass_damping<T, N>(options.hourglass_viscosity, p_wave_modulus(elastic), density,
+                                                     mean.volume, norm);
+  }
   return motion;
+}
+
+/// The fastest motion of hex e at the latest positions.
+template <class T, class Law, class Rule>
+FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
+  CornerWeights<T> inverse_mass;
+  for (int a = 0; a < 8; ++a) inverse_mass[a] = T(1) / body.corner_mass[e][a];
+  const Index i = e * Rule::points;
+  return fastest_motion<T, T>(body, gather_corners(nodes.position, body.hexes[e]), inverse_mass, body.points.density[i],
+                              body.points.velocity_gradient[i].trace());
+}
+
+/// The fastest motions of a pack of hexes at the latest positions; without meaning for removed ones.
+template <class T, class Law, class Rule>
+FastestMotion<Pack<T>> fastest_motions(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack) {
+  using P = Pack<T>;
+  CornerWeights<P> inverse_mass;
+  for (int a = 0; a < 8; ++a)
+    inverse_mass[a] = P(1) / pack_of<T>([&](Index l) { return body.corner_mass[hex_in(body, pack, l)][a]; });
+  const auto point = [&](Index l) { return hex_in(body, pack, l) * Rule::points; };
+  return fastest_motion<T, P>(body, corner_positions(body, nodes, pack), inverse_mass,
+                              pack_of<T>([&](Index l) { return body.points.density[point(l)]; }),
+                              pack_of<T>([&](Index l) { return body.points.velocity_gradient[point(l)].trace(); }));
 }
 
 /// The stable step of a motion, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta).
@@ -150,11 +174,12 @@ FastestMotion<T> mean_at_node(const HexBody<T, Law, Rule> &body, const std::vect
 template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   const Index count = static_cast<Index>(body.hexes.size());
   std::vector<FastestMotion<T>> of_hexes(body.hexes.size());
-  parallel_for(count, [&](Index e) {
-    if (is_removed(body, e)) return;
-    of_hexes[e] = fastest_motion(body, nodes, e);
-    // Without volume it has no bound, and must not lower that of its neighbours.
-    if (!(of_hexes[e].omega_squared > T(0))) of_hexes[e] = {};
+  for_each_pack(body, [&](Index pack) {
+    const FastestMotion<Pack<T>> motions = fastest_motions(body, nodes, pack);
+    // One without volume has no bound, and must not lower that of its neighbours.
+    for_each_hex_of(body, pack, [&](Index e, Index lane) {
+      if (motions.omega_squared[lane] > T(0)) of_hexes[e] = {motions.omega_squared[lane], motions.damping[lane]};
+    });
   });
   const T none = std::numeric_limits<T>::max();
   const T of_waves =

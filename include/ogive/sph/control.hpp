@@ -73,7 +73,7 @@ void add_control_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
               growth = here([&](Index i) { return bonds.growth[i]; }),
               strength = here([&](Index i) { return bonds.strength[i]; });
       Vec3<P> force = Vec3<P>::Zero();
-      P work;
+      P work{};
       for (auto r = bonds.begin[g]; r < bonds.begin[g + 1]; ++r) {
         const Bond *ends = &bonds.ends[r * lanes<T>];
         const auto there = [&](auto &&value) {

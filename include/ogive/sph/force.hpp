@@ -31,7 +31,7 @@ PairForces<T> pair_forces(const PairData<T> &d, const Neighbours<T> &neighbours,
   const P density_i = load_pack(&d.density[first]), hi = variable ? load_pack(&d.smoothing[first]) : P(h);
   const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
   const T half_beta = T(0.5) * viscosity.quadratic, half_alpha_c = T(0.5) * viscosity.linear * viscosity.sound_speed;
-  P fx, fy, fz, sx, sy, sz, power;
+  P fx{}, fy{}, fz{}, sx{}, sy{}, sz{}, power{};
   for (const Index j : row_within(neighbours, c)) {
     const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
     const P r2 = dx * dx + dy * dy + dz * dz;

@@ -95,7 +95,7 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Neighbours<T> &neighbours, I
   const P vxi = load_pack(&d.vx[first]), vyi = load_pack(&d.vy[first]), vzi = load_pack(&d.vz[first]);
   const P hi = variable ? load_pack(&d.smoothing[first]) : P(h);
   const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
-  P lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, mxx, myy, mzz, mxy, myz, mzx;
+  P lxx{}, lxy{}, lxz{}, lyx{}, lyy{}, lyz{}, lzx{}, lzy{}, lzz{}, mxx{}, myy{}, mzz{}, mxy{}, myz{}, mzx{};
   BitWriter within{bits(neighbours, c)};
   for (const Index j : row(neighbours, c)) {
     const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
