@@ -4,8 +4,9 @@
 # chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
 # --method adaptive (PART=adaptive: these alone), what its limits at 6 and 12 mm depend on (PART=damage), all limits
 # of blunt projectiles on steel with other sizes of hexes (PART=mesh; THICKNESSES="6 12": these plates, SIZES=0.8: this
-# size), and what it costs against the paper's method (PART=cost: of the shots on the page of results). Shots that the
-# folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
+# size), and what it costs against the paper's method (PART=cost: of the shots on the page of results; PART=timing: one
+# shot for each plate and nose, both methods one after the other). Shots that the folder holds already are not run again;
+# READ_ONLY=1 runs none. Prints tables in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/beyond}
@@ -190,7 +191,34 @@ cost_table() {
     }' "$root/docs/results/run_record.csv"
 }
 
+timing_table() {
+  echo 'Processor time of one shot with either method, one after the other, one thread, modified law, 0.6 mm:'
+  echo
+  echo "| nose | plate | initial, m/s | the paper's method, s | adaptive, s | ratio |"
+  echo '|---|---|---|---|---|---|'
+  local nose thickness v method name
+  for name in blunt:6:200 blunt:8:215 blunt:10:230 blunt:12:244.2 blunt:16:305 blunt:20:350 conical:12:355.6 \
+    ogival:12:355.6; do
+    IFS=: read -r nose thickness v <<< "$name"
+    for method in sfm adaptive; do
+      shoot "timing_${method}_${nose}_${thickness}mm_$v" --method "$method" --model mjc --nose "$nose" --threads 1 \
+        --thickness-mm "$thickness" --velocity-mps "$v" --spacing-mm 0.6 --no-picture
+    done
+    [ -e "$folder/timing_adaptive_${nose}_${thickness}mm_$v/summary.json" ] || continue
+    echo "$nose,$thickness,$v,$(value "timing_sfm_${nose}_${thickness}mm_$v" cpu_s),$(value "timing_adaptive_${nose}_${thickness}mm_$v" cpu_s)"
+  done | awk -F, '
+    function row(nose, plate, v, sfm, adaptive) {
+      printf "| %s | %s | %s | %.0f | %.0f | %.2f |\n", nose, plate, v, sfm, adaptive, adaptive / sfm
+    }
+    { row($1, $2 " mm", $3, $4, $5); sfm += $4; adaptive += $5 }
+    END { if (NR > 0) row("all", "", "", sfm, adaptive) }'
+}
+
 made_by beyond.sh
+if [ "${PART:-}" = timing ]; then
+  timing_table
+  exit
+fi
 if [ "${PART:-}" = cost ]; then
   cost_table
   exit
@@ -255,3 +283,5 @@ echo
 mesh_tables
 echo
 cost_table
+echo
+timing_table
