@@ -4,9 +4,9 @@
 # chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
 # --method adaptive (PART=adaptive: these alone), what its limits at 6 and 12 mm depend on (PART=damage), all limits
 # of blunt projectiles on steel with other sizes of hexes (PART=mesh; THICKNESSES="6 12": these plates, SIZES=0.8: this
-# size), and what it costs against the paper's method (PART=cost: of the shots on the page of results; PART=timing: one
-# shot for each plate and nose, both methods one after the other). Shots that the folder holds already are not run again;
-# READ_ONLY=1 runs none. Prints tables in Markdown.
+# size), what is left of the dishing of a plate that holds (PART=dishing), and what it costs against the paper's method
+# (PART=cost: of the shots on the page of results; PART=timing: one shot for each plate and nose, both methods one after
+# the other). Shots that the folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/beyond}
@@ -75,10 +75,6 @@ adaptive_tables() {
     adaptive "12mm_244.2$name" "12 mm, hexes of $size mm" --velocity-mps 244.2 --spacing-mm "$size"
     adaptive "6mm_160$name" "6 mm, hexes of $size mm" --thickness-mm 6 --velocity-mps 160 --spacing-mm "$size"
   done
-  for size in 1.2 0.8; do
-    adaptive "12mm_181.5_${size}mm_settled" "12 mm, hexes of $size mm, 2 ms more" --velocity-mps 181.5 \
-      --spacing-mm "$size" --settle-us 2000
-  done
   # Lengths with which failure strains at 0.6 mm are those of the exponent 1/4.
   local pair
   for pair in 0.5:0.363 1:0.467; do
@@ -134,6 +130,22 @@ damage_tables() {
   limits rigid 'rigid projectile' --projectile rigid
   limits clamp 'clamped at 125 mm' --clamp-radius-mm 125
   limits friction 'friction 0.1' --friction 0.1
+}
+
+dishing_table() {
+  echo 'Plate of 12 mm at 181.5 m/s, modified law, 2 ms more after the shot is decided; the test left 2.92 mm (Børvik et al.' \
+    '2002, IJIE 27:19, quoted):'
+  echo
+  echo '| method | size, mm | computed, m/s | dishing at the end, mm | at rest, mm |'
+  echo '|---|---|---|---|---|'
+  local method size name
+  for name in adaptive_1.2 adaptive_0.8 adaptive_0.6 stabilised_0.6; do
+    method=${name%_*} size=${name#*_}
+    shoot "rest_$name" --method "$method" --model mjc --velocity-mps 181.5 --spacing-mm "$size" --settle-us 2000 --no-picture
+    [ -e "$folder/rest_$name/summary.json" ] || continue
+    echo "| $method | $size | $(number "rest_$name" residual_velocity_mps %.1f) | $(number "rest_$name" dishing_mm %.2f) |" \
+      "$(number "rest_$name" dishing_at_rest_mm %.2f) |"
+  done
 }
 
 mesh_tables() {
@@ -223,6 +235,10 @@ if [ "${PART:-}" = cost ]; then
   cost_table
   exit
 fi
+if [ "${PART:-}" = dishing ]; then
+  dishing_table
+  exit
+fi
 if [ "${PART:-}" = mesh ]; then
   mesh_tables
   exit
@@ -281,6 +297,8 @@ echo
 damage_tables
 echo
 mesh_tables
+echo
+dishing_table
 echo
 cost_table
 echo
