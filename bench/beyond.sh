@@ -171,17 +171,18 @@ mesh_tables() {
   done
 }
 
-# Of shots that both methods have. Not run side by side: part of them on another CPU or beside other work.
-cost_table() {
-  echo 'Processor time of the same shots on the page of results, modified law, as it was when each was run:'
+# Of shots that the paper's method and `method` have. Not run side by side: part of them on another CPU or beside other
+# work.
+cost_table() { # method
+  echo "Processor time of the same shots on the page of results, modified law, as it was when each was run, $1:"
   echo
-  echo "| nose | plate | shots | the paper's method, s | adaptive, s | ratio |"
+  echo "| nose | plate | shots | the paper's method, s | $1, s | ratio |"
   echo '|---|---|---|---|---|---|'
-  awk -F, '
+  awk -F, -v method="$1" '
     NR == 1 { for (k = 1; k <= NF; ++k) if ($k == "cpu_s") cpu = k; next }
-    $2 == "mjc" { seconds[$1, $3 "," $4 "," $5, $6] = $cpu; if ($1 == "adaptive") shot[++n] = $3 "," $4 "," $5 SUBSEP $6 }
-    function row(nose, plate, shots, sfm, adaptive) {
-      printf "| %s | %s | %d | %.0f | %.0f | %.2f |\n", nose, plate, shots, sfm, adaptive, adaptive / sfm
+    $2 == "mjc" { seconds[$1, $3 "," $4 "," $5, $6] = $cpu; if ($1 == method) shot[++n] = $3 "," $4 "," $5 SUBSEP $6 }
+    function row(nose, plate, shots, sfm, other) {
+      printf "| %s | %s | %d | %.0f | %.0f | %.2f |\n", nose, plate, shots, sfm, other, other / sfm
     }
     END {
       for (k = 1; k <= n; ++k) {
@@ -190,17 +191,23 @@ cost_table() {
         if (!(part[1] in shots)) order[++m] = part[1]
         ++shots[part[1]]
         sfm[part[1]] += seconds["sfm", shot[k]]
-        adaptive[part[1]] += seconds["adaptive", shot[k]]
+        other[part[1]] += seconds[method, shot[k]]
       }
       for (k = 1; k <= m; ++k) {
         split(order[k], name, ",")
-        row(name[2], name[3] " mm " name[1], shots[order[k]], sfm[order[k]], adaptive[order[k]])
+        row(name[2], name[3] " mm " name[1], shots[order[k]], sfm[order[k]], other[order[k]])
         all += shots[order[k]]
         all_sfm += sfm[order[k]]
-        all_adaptive += adaptive[order[k]]
+        all_other += other[order[k]]
       }
-      if (all > 0) row("all", "", all, all_sfm, all_adaptive)
+      if (all > 0) row("all", "", all, all_sfm, all_other)
     }' "$root/docs/results/run_record.csv"
+}
+
+cost_tables() {
+  cost_table adaptive
+  echo
+  cost_table stabilised
 }
 
 timing_table() {
@@ -232,7 +239,7 @@ if [ "${PART:-}" = timing ]; then
   exit
 fi
 if [ "${PART:-}" = cost ]; then
-  cost_table
+  cost_tables
   exit
 fi
 if [ "${PART:-}" = dishing ]; then
@@ -300,6 +307,6 @@ mesh_tables
 echo
 dishing_table
 echo
-cost_table
+cost_tables
 echo
 timing_table
