@@ -136,6 +136,9 @@ void check(const Options &o, const Origins &origins) {
   if (o.method == Method::adaptive && o.damage != DamageLaw::none && o.failure != FailureEffect::no_tension)
     refuse(origin_of(origins, "failure"), choice_name(o.failure),
            "must be no_tension with --method adaptive: so do the particles that hexes turn into");
+  if (o.method == Method::adaptive && o.damage_pressure != DamagePressure::own)
+    refuse(origin_of(origins, "damage_pressure"), choice_name(o.damage_pressure),
+           "must be own with --method adaptive: hexes have no neighbours");
   if (o.method == Method::adaptive && o.control_stiffness > 0)
     refuse_value("control_stiffness", o.control_stiffness, "must be 0 with --method adaptive: hexes have no bonds");
   if (o.method == Method::adaptive && o.layers_mm.size() > 1)
@@ -210,6 +213,10 @@ double default_damage_length_mm(Method method) {
 
 double default_length_exponent(Method method) { return ogive::length_exponent_of_damage(method); }
 
+LengthScope default_length_scope(Method method) { return ogive::length_scope_of_damage(method); }
+
+DamagePressure default_damage_pressure(Method method) { return ogive::options_of<double>(method).sph.damage_pressure; }
+
 FailureEffect default_failure(DamageLaw damage) {
   return damage == DamageLaw::none ? FailureEffect::none : FailureEffect::no_tension;
 }
@@ -231,6 +238,8 @@ void take_defaults(Options &o, const Origins &origins) {
     if (is_open("damage_softening")) o.damage_softening = default_softening(o.method);
     if (is_open("damage_length_mm")) o.damage_length_mm = default_damage_length_mm(o.method);
     if (is_open("damage_length_exponent")) o.damage_length_exponent = default_length_exponent(o.method);
+    if (is_open("damage_length_scope")) o.damage_length_scope = default_length_scope(o.method);
+    if (is_open("damage_pressure")) o.damage_pressure = default_damage_pressure(o.method);
   }
   if (is_open("control_stiffness")) o.control_stiffness = default_control_stiffness(o.method);
   if (is_open("failure")) o.failure = default_failure(o.damage);

@@ -23,9 +23,11 @@ namespace perforate {
 
 using FlowModel = material_file::Model;
 using ogive::DamageLaw;
+using ogive::DamagePressure;
 using ogive::Extent;
 using ogive::FailureEffect;
 using ogive::Lattice;
+using ogive::LengthScope;
 using ogive::Method;
 using ogive::Nose;
 using ogive::PressureLaw;
@@ -55,9 +57,12 @@ struct Options {
   double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
   double damage_length_mm = 0;                 ///< parse() takes default_damage_length_mm() where none is given
   double damage_length_exponent = 1;           ///< parse() takes default_length_exponent() where none is given
-  double thickness_mm = 12;                    ///< of several plates the sum
-  std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
-  std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
+  LengthScope damage_length_scope =
+      LengthScope::everywhere;                          ///< parse() takes default_length_scope() where none is given
+  DamagePressure damage_pressure = DamagePressure::own; ///< parse() takes default_damage_pressure() where none is given
+  double thickness_mm = 12;                             ///< of several plates the sum
+  std::vector<double> layers_mm;            ///< thicknesses of several plates from front to rear; empty: one plate
+  std::vector<double> gaps_mm;              ///< between them; parse() makes it one for each two plates
   std::vector<std::string> layer_materials; ///< one for each plate, the first one's is `material` too; empty: all that
   double clamp_radius_mm = 250;
 
@@ -132,6 +137,12 @@ double default_damage_length_mm(Method method);
 
 /// With which exponent failure strains follow the particle distance unless the user says so.
 double default_length_exponent(Method method);
+
+/// Where failure strains follow the particle distance.
+LengthScope default_length_scope(Method method);
+
+/// Whose pressure damage follows.
+DamagePressure default_damage_pressure(Method method);
 
 /// What failure does unless the user says so: no tension where damage grows. Our choice.
 FailureEffect default_failure(DamageLaw damage);

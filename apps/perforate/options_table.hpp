@@ -93,6 +93,14 @@ constexpr auto choices(DamageLaw) {
   return std::to_array<Choice<DamageLaw>>(
       {{DamageLaw::none, "none"}, {DamageLaw::johnson_cook, "jc"}, {DamageLaw::cockcroft_latham, "cockcroft_latham"}});
 }
+constexpr auto choices(LengthScope) {
+  return std::to_array<Choice<LengthScope>>(
+      {{LengthScope::everywhere, "everywhere"}, {LengthScope::in_shear, "in_shear"}});
+}
+constexpr auto choices(DamagePressure) {
+  return std::to_array<Choice<DamagePressure>>(
+      {{DamagePressure::own, "own"}, {DamagePressure::neighbours, "neighbours"}});
+}
 constexpr auto choices(FailureEffect) {
   return std::to_array<Choice<FailureEffect>>(
       {{FailureEffect::none, "none"}, {FailureEffect::no_tension, "no_tension"}, {FailureEffect::removal, "removal"}});
@@ -152,7 +160,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "damage_length_mm",
           "particle distance for which the constants of damage hold; failure strains grow with finer ones; 0: hold for "
           "any",
-          "0, 0.4 with --method stabilised, 0.22 with --method adaptive: ours",
+          "0, 0.2 with --method stabilised, 0.22 with --method adaptive: ours",
           {0, 100, "mm"}},
     o.damage_length_mm);
   f(Entry{plate,
@@ -162,6 +170,14 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "1, 0.25 with --method adaptive: ours",
           {0, 2, ""}},
     o.damage_length_exponent);
+  f(Entry{plate, "damage_length_scope",
+          "stresses at which failure strains follow --damage-length-mm: any, or in full up to triaxiality 0, less and "
+          "less up to 1/3",
+          "everywhere, in_shear with --method stabilised: ours"},
+    o.damage_length_scope);
+  f(Entry{plate, "damage_pressure", "whose pressure damage follows, each particle's own or the mean of its neighbours",
+          "own, neighbours with --method stabilised: ours"},
+    o.damage_pressure);
   f(Entry{plate, "thickness_mm", "of the plate", "paper, Fig. 11", {0.5, 100, "mm"}}, o.thickness_mm);
   f(Entry{plate,
           "layers_mm",

@@ -91,6 +91,7 @@ template <class Kernel, class Form, class Rule, class Law>
 Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, Law>> &plates) {
   auto numerics = ogive::options_of<double>(options.method);
   numerics.sph.control.stiffness = options.control_stiffness;
+  numerics.sph.damage_pressure = options.damage_pressure;
   numerics.contact_stiffness = options.contact_stiffness;
   numerics.sph.linear_viscosity = options.linear_viscosity;
   numerics.sph.quadratic_viscosity = options.quadratic_viscosity;

@@ -67,7 +67,7 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(stabilised.damage == perforate::DamageLaw::johnson_cook);
   CHECK(stabilised.failure == perforate::FailureEffect::no_tension);
   CHECK(stabilised.damage_softening == 0.3);
-  CHECK(stabilised.damage_length_mm == 0.4);
+  CHECK(stabilised.damage_length_mm == 0.2);
   CHECK(stabilised.damage_length_exponent == 1);
   const Options adaptive = options_of({"--method", "adaptive"});
   CHECK(adaptive.damage_length_mm == 0.22);

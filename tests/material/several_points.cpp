@@ -4,6 +4,8 @@
 #include "ogive/material/library.hpp"
 #include "ogive/material/stress_update.hpp"
 
+#include <cmath>
+#include <optional>
 #include <random>
 
 using namespace ogive;
@@ -50,15 +52,19 @@ template <class Law> Body<Law> some_points(const Metal<double, Law> &metal) {
 }
 
 /// Several points at once and one by one, ten steps.
-template <class Law> void check_same(const Metal<double, Law> &metal) {
+template <class Law> void check_same(const Metal<double, Law> &metal, double neighbour_pressure = 0) {
   auto body = some_points(metal);
+  if (neighbour_pressure != 0)
+    for (Index i = 0; i < body.points.size(); ++i)
+      body.points.neighbour_pressure.push_back(neighbour_pressure * std::sin(i));
   auto points = body.points;
   const double dt = 4e-8;
   Index flowed = 0, failed = 0;
   for (int step = 0; step < 10; ++step) {
     update_stress(body, dt);
     for (Index i = 0; i < points.size(); ++i) {
-      const auto after = updated(metal, load(points, i), points.velocity_gradient[i], dt);
+      const auto seen = neighbour_pressure != 0 ? std::optional(points.neighbour_pressure[i]) : std::nullopt;
+      const auto after = advanced(metal, load(points, i), points.velocity_gradient[i], dt, seen).point;
       flowed += after.plastic_strain_rate > 0 ? 1 : 0;
       failed += is_failed(metal.damage, after.damage) && !is_failed(metal.damage, points.damage[i]) ? 1 : 0;
       store(points, i, after);
@@ -95,6 +101,8 @@ TEST_CASE("several points at once do what they do one by one", "[material]") {
     damaged.damage.effect = effect;
     check_same(damaged);
   }
+  damaged.damage.shear_factor = 0.4;
+  check_same(damaged, 8e8);
   damaged.damage.law = DamageLaw::cockcroft_latham;
   damaged.damage.critical_work = 3e8;
   check_same(damaged);

@@ -132,6 +132,52 @@ TEMPLATE_TEST_CASE("the corrected gradient of a linear field is exact, at free s
   check_gradient(body.points.velocity_gradient, L, 8);
 }
 
+TEST_CASE("pressures that alternate from particle to particle cancel in the mean that damage follows", "[sph]") {
+  Nodes<double> nodes;
+  SphOptions<double> options;
+  options.damage_pressure = DamagePressure::neighbours;
+  auto body =
+      add_sph_body(nodes, block(8, 8, 8, 0, 1e-3), library::weldox_460e_mjc<double>(), "block", {true, true}, options);
+  const auto along = [&](Index i, int axis) { return nodes.position[i][axis] / 1e-3; };
+  const auto mean_of = [&](auto &&pressure) {
+    for (Index i = 0; i < body.points.size(); ++i) body.points.pressure[i] = pressure(i);
+    prepare(body, nodes);
+    velocity_gradient(body, nodes);
+  };
+  mean_of([](Index) { return 5e8; });
+  for (const double mean : body.points.neighbour_pressure) REQUIRE(mean == Approx(5e8)); // at free surfaces, too
+
+  // Along z from layer to layer. Weights on a cubic lattice, h = 1.2 spacings: (dw/du)/u of the cubic spline at u =
+  // r/h, by hand -3 + 9/4 u up to u = 1 and -3/4 (2 - u)^2/u beyond, for the 57 lattice points within 2.4 spacings.
+  const auto weight = [](double r2) {
+    const double u = std::sqrt(r2) / 1.2;
+    return u < 1 ? 3 - 2.25 * u : u < 2 ? 0.75 * (2 - u) * (2 - u) / u : 0.0;
+  };
+  double all = 0, alternating = 0;
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -2; j <= 2; ++j)
+      for (int k = -2; k <= 2; ++k) {
+        const double w = weight(i * i + j * j + k * k);
+        all += w, alternating += k % 2 == 0 ? w : -w;
+      }
+  mean_of([&](Index i) { return std::lround(along(i, 2) - 0.5) % 2 == 0 ? 1e9 : -1e9; });
+  int inside = 0;
+  for (Index i = 0; i < body.points.size(); ++i) {
+    // Images go on beyond x = 0 and y = 0.
+    if (along(i, 0) > 5 || along(i, 1) > 5 || std::abs(along(i, 2) - 4) > 2) continue;
+    ++inside;
+    REQUIRE(body.points.neighbour_pressure[i] == Approx(alternating / all * body.points.pressure[i]).epsilon(1e-9));
+  }
+  CHECK(inside == 5 * 5 * 4);
+  CHECK(alternating < 0.2 * all); // the mean keeps little of it
+
+  // A field that is linear along z stays as it is inside.
+  mean_of([&](Index i) { return 1e8 * along(i, 2); });
+  for (Index i = 0; i < body.points.size(); ++i)
+    if (along(i, 0) < 5 && along(i, 1) < 5 && std::abs(along(i, 2) - 4) < 2)
+      REQUIRE(body.points.neighbour_pressure[i] == Approx(body.points.pressure[i]).epsilon(1e-9));
+}
+
 TEST_CASE("particles that neighbours do not surround keep the plain gradient", "[sph]") {
   // Turned, so that no diagonal entry is an eigenvalue.
   const Eigen::AngleAxisd turn(0.7, Vec3<double>(1, 2, 3).normalized());

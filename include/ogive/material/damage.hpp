@@ -24,6 +24,12 @@ enum class FailureEffect {
   removal     ///< it acts on nothing any more; its nodes fly on with their mass
 };
 
+/// Where failure strains follow the particle distance, see regularised().
+enum class LengthScope {
+  everywhere, ///< at any stress
+  in_shear    ///< in bands of shear: wholly at triaxialities up to 0, not at all from 1/3, uniaxial tension, on
+};
+
 /// Damage of a metal.
 template <class T> struct Damage {
   DamageLaw law = DamageLaw::none;            ///< how damage grows
@@ -33,18 +39,33 @@ template <class T> struct Damage {
   T softening = T(0);                         ///< Dc: the flow stress is multiplied by 1 - Dc D (Boervik et al. 2001)
   T length = T(0);          ///< particle distance for which the constants hold, m, see regularised(); 0: for any
   T length_exponent = T(1); ///< how failure strains follow other distances: 1 keeps the displacement, 0 the strain
+  LengthScope length_scope = LengthScope::everywhere; ///< where they do
+  T shear_factor = T(1); ///< of failure strains in bands of shear, made by regularised(); 1 for the metal itself
 };
 
 /// The damage of a body of particles `spacing` (m) apart. A band of localised shear is as wide as some particle
 /// distances, however fine they are, so that the same displacement means more strain in finer ones; metal that
 /// stretches around it has the same strain in any. Failure strain and critical work are multiplied by
-/// (length/spacing)^exponent.
+/// (length/spacing)^exponent, at any stress or, where the scope says so, in shear alone.
 template <class T> Damage<T> regularised(Damage<T> damage, T spacing) {
-  if (damage.length > T(0)) {
-    const T finer = std::pow(damage.length / spacing, damage.length_exponent);
+  if (!(damage.length > T(0))) return damage;
+  const T finer = std::pow(damage.length / spacing, damage.length_exponent);
+  if (damage.length_scope == LengthScope::in_shear)
+    damage.shear_factor = finer;
+  else
     damage.failure_strain.D1 *= finer, damage.failure_strain.D2 *= finer, damage.critical_work *= finer;
-  }
   return damage;
+}
+
+/// Factor of failure strain and critical work at a triaxiality: `shear_factor` in shear and under pressure, 1 from
+/// uniaxial tension on, between them a power of it that falls linearly. (How much a length counts follows the
+/// triaxiality in others' models, too: Walters 2014, Int. J. Crashworthiness 19:1, for necks in shells.) `N` is T or a
+/// pack of T.
+template <class T, class N> N size_effect(const Damage<T> &damage, N triaxiality) {
+  using std::exp, std::max, std::min;
+  if (damage.shear_factor == T(1)) return N(1);
+  const N share = max(N(0), min(N(1), N(1) - N(3) * triaxiality));
+  return exp(N(std::log(damage.shear_factor)) * share);
 }
 
 /// True if a point with the damage `D` has failed, so that failure shows.
@@ -68,14 +89,19 @@ template <class T> T largest_principal_stress(const Sym3<T> &deviator, T pressur
   return -pressure + T(2) / T(3) * q * std::cos(std::acos(std::clamp(T(13.5) * J3, T(-1), T(1))) / T(3));
 }
 
+/// Mean over equivalent stress, positive in tension, between -10 and 10: molten metal has no equivalent stress to
+/// divide by. `N` is T or a pack of T.
+template <class N> N triaxiality(const MaterialPoint<N> &point) {
+  using std::max, std::min;
+  return max(N(-10), min(N(10), N(-point.pressure / max(von_mises(point.deviator), N(1)))));
+}
+
 /// Growth of the damage of Johnson and Cook, see damage_growth(). `N` is T or a pack of T.
 template <class T, class N>
-N johnson_cook_growth(const FailureStrain<T> &f, const MaterialPoint<N> &point, N increment, N rate, N homologous) {
-  using std::max, std::min;
-  // Beyond 10 either way nothing changes, and molten metal has no equivalent stress to divide by.
-  const N q = max(von_mises(point.deviator), N(1));
-  const N triaxiality = max(N(-10), min(N(10), N(-point.pressure / q)));
-  return increment / failure_strain(f, triaxiality, rate, homologous);
+N johnson_cook_growth(const Damage<T> &damage, const MaterialPoint<N> &point, N increment, N rate, N homologous) {
+  const N stress_state = triaxiality(point);
+  return increment /
+         (size_effect(damage, stress_state) * failure_strain(damage.failure_strain, stress_state, rate, homologous));
 }
 
 /// Growth of the damage while the plastic strain of `point` grows by `increment` (>= 0) to its present state, at `rate`
@@ -84,9 +110,10 @@ template <class T>
 T damage_growth(const Damage<T> &damage, const MaterialPoint<T> &point, T increment, T rate, T homologous) {
   switch (damage.law) {
   case DamageLaw::johnson_cook:
-    return johnson_cook_growth(damage.failure_strain, point, increment, rate, homologous);
+    return johnson_cook_growth(damage, point, increment, rate, homologous);
   case DamageLaw::cockcroft_latham:
-    return increment * std::max(T(0), largest_principal_stress(point.deviator, point.pressure)) / damage.critical_work;
+    return increment * std::max(T(0), largest_principal_stress(point.deviator, point.pressure)) /
+           (size_effect(damage, triaxiality(point)) * damage.critical_work);
   case DamageLaw::none:
     break;
   }

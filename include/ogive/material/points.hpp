@@ -33,6 +33,9 @@ template <class T> struct MaterialPoints {
   std::vector<T> plastic_strain, plastic_strain_rate;  ///< equivalent; of the last step, 1/s
   std::vector<T> temperature, damage, internal_energy; ///< K; 1 is failure; J/kg
 
+  /// Pa, mean over the neighbours, made anew in each step; empty: damage follows each point's own pressure.
+  std::vector<T> neighbour_pressure;
+
   // Known from an earlier step and no part of the state: the flow stress at the smallest rate (Pa) at this plastic
   // strain and temperature (K).
   std::vector<T> yield, yield_strain, yield_temperature; ///< Pa; 1; K

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace ogive {
@@ -103,9 +104,11 @@ Advanced<N> flowed(const Metal<T, Law> &metal, const MaterialPoint<N> &old, cons
 
 /// Moves one material point through a step `dt` (s) with the velocity gradient `L` (1/s, with respect to the positions
 /// at the end of the step): Jaumann rate, radial return, adiabatic heating, pressure, damage (Liu et al. 2012, Eqs.
-/// 3-4). The point loses its stress in the step in which it fails; what it had stored counts as dissipated.
+/// 3-4). The point loses its stress in the step in which it fails; what it had stored counts as dissipated. With
+/// `neighbour_pressure` (Pa) damage follows that pressure instead of the point's own.
 template <class T, class Law>
-Advanced<T> advanced(const Metal<T, Law> &metal, const MaterialPoint<T> &old, const Mat3<T> &L, T dt) {
+Advanced<T> advanced(const Metal<T, Law> &metal, const MaterialPoint<T> &old, const Mat3<T> &L, T dt,
+                     std::optional<T> neighbour_pressure = {}) {
   if (is_removed(metal.damage, old.damage)) return {old, T(-1)};
   const ElasticTrial<T> trial = elastic_trial(metal, old, L, dt);
   const Sym3<T> &D = trial.deformation_rate;
@@ -120,7 +123,9 @@ Advanced<T> advanced(const Metal<T, Law> &metal, const MaterialPoint<T> &old, co
   balance(metal, old, now, D, dt);
   const T increment = now.plastic_strain_rate * dt;
   if (!(increment > T(0)) || metal.damage.law == DamageLaw::none) return after;
-  now.damage += damage_growth(metal.damage, now, increment, std::max(now.plastic_strain_rate, metal.rate_floor),
+  MaterialPoint<T> seen = now;
+  seen.pressure = neighbour_pressure.value_or(now.pressure);
+  now.damage += damage_growth(metal.damage, seen, increment, std::max(now.plastic_strain_rate, metal.rate_floor),
                               homologous_temperature(metal, now.temperature));
   if (is_failed(metal.damage, now.damage)) {
     now.deviator = Sym3<T>{};
@@ -192,9 +197,12 @@ template <class Body, class T> void update_points(Body &body, std::span<const In
     balance(metal, old, after.point, trial.deformation_rate, dt, -infinity, infinity);
     if (metal.damage.law == DamageLaw::johnson_cook) {
       const Pack<T> rate = after.point.plastic_strain_rate;
-      const Pack<T> growth = johnson_cook_growth<T, Pack<T>>(metal.damage.failure_strain, after.point, rate * dt,
-                                                             max(rate, Pack<T>(metal.rate_floor)),
-                                                             homologous_temperature(metal, after.point.temperature));
+      MaterialPoint<Pack<T>> seen = after.point;
+      if (!p.neighbour_pressure.empty())
+        seen.pressure = pack_of<T>([&](Index lane) { return p.neighbour_pressure[index_of(lane)]; });
+      const Pack<T> growth =
+          johnson_cook_growth<T, Pack<T>>(metal.damage, seen, rate * dt, max(rate, Pack<T>(metal.rate_floor)),
+                                          homologous_temperature(metal, after.point.temperature));
       after.point.damage += select(rate > Pack<T>(T(0)), growth, Pack<T>(T(0)));
     }
     for (Index lane = 0; lane < std::min(lanes<T>, n - first); ++lane) {
@@ -223,7 +231,9 @@ template <class Body, class T> void update_stress(Body &body, T dt) {
         several[count++] = i;
         return;
       }
-      const auto after = advanced(body.metal, load(body.points, i), body.points.velocity_gradient[i], dt);
+      const auto &mean = body.points.neighbour_pressure;
+      const auto after = advanced(body.metal, load(body.points, i), body.points.velocity_gradient[i], dt,
+                                  mean.empty() ? std::nullopt : std::optional<T>(mean[i]));
       store(body.points, i, after.point);
       remember_yield(body.points, i, after.yield);
     });

@@ -54,7 +54,7 @@ private:
 template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, Law> &m) {
   for (const T number : {m.density, m.elasticity.young, m.elasticity.poisson, m.eos.hugoniot_slope, m.eos.gruneisen,
                          m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,
-                         m.damage.critical_work, m.damage.softening})
+                         m.damage.critical_work, m.damage.softening, m.damage.shear_factor})
     print.add(number);
   const FailureStrain<T> &f = m.damage.failure_strain;
   for (const T number : {f.D1, f.D2, f.D3, f.D4, f.D5, f.reference_rate}) print.add(number);
@@ -78,7 +78,7 @@ template <class Body> void add_body(Fingerprint &print, const Body &body) {
                               o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
       print.add(number);
   } else {
-    print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing),
+    print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing), print.add(o.damage_pressure),
         print.add(Body::Form::corrected);
     for (const auto number :
          {o.smoothing_ratio, o.linear_viscosity, o.quadratic_viscosity, o.skin_ratio, o.courant, o.largest_strain,

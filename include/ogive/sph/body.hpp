@@ -27,6 +27,12 @@ struct StandardForm {
   static constexpr bool corrected = false; ///< B = I
 };
 
+/// Whose pressure the damage of a particle follows.
+enum class DamagePressure {
+  own,       ///< its own, which alternates from neighbour to neighbour where particles flow
+  neighbours ///< the mean over its neighbours and itself, in which that cancels
+};
+
 /// Numerical parameters of particles; the defaults are frozen for all cases.
 template <class T> struct SphOptions {
   T smoothing_ratio = T(1.2);      ///< h over the particle distance
@@ -35,8 +41,9 @@ template <class T> struct SphOptions {
   bool variable_smoothing = false; ///< h follows the density: h = h0 (rho0/rho)^(1/3), at most 1.3 h0
   T skin_ratio = T(0.25);          ///< reach of the neighbour lists beyond the support, over the particle distance
   ZeroEnergyControl<T> control{};  ///< off
-  T largest_strain = T(0.05);      ///< of a particle in a step
-  T courant = T(0.5);              ///< time step = courant * particle distance / longitudinal sound speed
+  DamagePressure damage_pressure = DamagePressure::own; ///< whose pressure damage follows
+  T largest_strain = T(0.05);                           ///< of a particle in a step
+  T courant = T(0.5); ///< time step = courant * particle distance / longitudinal sound speed
 };
 
 /// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
@@ -93,6 +100,8 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
     nodes.mass[body.nodes.begin + i] = body.point_mass[i];
   }
   fill(body.points, body.nodes.size(), initial_point(metal));
+  if (options.damage_pressure == DamagePressure::neighbours)
+    body.points.neighbour_pressure.assign(body.nodes.size(), T(0));
   body.viscous_energy.assign(body.nodes.size(), T(0));
   if (const ZeroEnergyControl<T> &control = options.control; control.stiffness > T(0))
     body.bonds = make_bonds<T>(layout.positions, symmetry, control.reach * layout.spacing);

@@ -69,6 +69,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
     d.vx[k] = v[i][0], d.vy[k] = v[i][1], d.vz[k] = v[i][2];
     d.volume[k] = kernel_volume(body, i), d.density[k] = body.points.density[i];
     if (body.options.variable_smoothing) d.smoothing[k] = smoothing_length(body, i);
+    if (body.options.damage_pressure == DamagePressure::neighbours) d.pressure[k] = body.points.pressure[i];
   });
   for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
     const Index i = image.place;
@@ -76,6 +77,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
     d.x[k] = sx * d.x[i], d.y[k] = sy * d.y[i], d.z[k] = d.z[i];
     d.vx[k] = sx * d.vx[i], d.vy[k] = sy * d.vy[i], d.vz[k] = d.vz[i];
     d.volume[k] = d.volume[i], d.density[k] = d.density[i], d.smoothing[k] = d.smoothing[i];
+    d.pressure[k] = d.pressure[i];
   });
 }
 
@@ -83,11 +85,12 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
 template <class T> struct GradientSums {
   Mat3<Pack<T>> gradient; ///< sum of V_j (v_j - v_i) (x) grad W_ij, 1/s
   Mat3<Pack<T>> moment;   ///< M = -sum of V_j grad W_ij (x) x_ij
+  Pack<T> pressure;       ///< Pa, mean with the weights V_j |grad W_ij|/r, the particle itself included; if asked for
 };
 
 /// The sums of cluster c over its neighbours; marks those within the support. With `variable`, a pair's smoothing
-/// length is the mean of both.
-template <class Kernel, bool variable, class T>
+/// length is the mean of both. Mean pressures with `with_pressure` only.
+template <class Kernel, bool variable, bool with_pressure, class T>
 GradientSums<T> gradient_sums(const PairData<T> &d, Neighbours<T> &neighbours, Index c, T h) {
   using P = Pack<T>;
   const Index first = c * lanes<T>;
@@ -96,6 +99,7 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Neighbours<T> &neighbours, I
   const P hi = variable ? load_pack(&d.smoothing[first]) : P(h);
   const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
   P lxx{}, lxy{}, lxz{}, lyx{}, lyy{}, lyz{}, lzx{}, lzy{}, lzz{}, mxx{}, myy{}, mzz{}, mxy{}, myz{}, mzx{};
+  P weights{}, pressure{};
   BitWriter within{bits(neighbours, c)};
   for (const Index j : row(neighbours, c)) {
     const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
@@ -110,12 +114,15 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Neighbours<T> &neighbours, I
     lzx += uz * gx, lzy += uz * gy, lzz += uz * gz;
     mxx -= gx * dx, myy -= gy * dy, mzz -= gz * dz;
     mxy -= gx * dy, myz -= gy * dz, mzx -= gz * dx;
+    if constexpr (with_pressure) weights += w, pressure += w * d.pressure[j];
     within.push(any(is_within_support(r2, inverse_h)));
   }
   within.finish();
   GradientSums<T> sums;
   sums.gradient << lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz;
   sums.moment << mxx, mxy, mzx, mxy, myy, myz, mzx, myz, mzz;
+  // Weights are negative; a removed particle has none, nor neighbours.
+  if constexpr (with_pressure) sums.pressure = pressure / min(weights, P(-std::numeric_limits<T>::min()));
   return sums;
 }
 
@@ -144,12 +151,15 @@ template <class N> Mat3<N> correction_matrix(const Mat3<N> &moment) {
   return B;
 }
 
-/// Velocity gradient at every particle: L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] B_i; B = I in the standard form.
+/// Velocity gradient at every particle: L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] B_i; B = I in the standard form. On
+/// the way the mean pressure of the neighbours, where damage follows it.
 template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T, Law, K, F> &body, const Nodes<T> &) {
   const T h = reference_smoothing_length(body);
-  const auto drive = [&](auto variable) {
+  const auto drive = [&](auto variable, auto with_pressure) {
     for_each_cluster(body.neighbours, [&](Index c) {
-      const auto sums = gradient_sums<K, variable.value>(body.pair_data, body.neighbours, c, h);
+      const auto sums = gradient_sums<K, variable.value, with_pressure.value>(body.pair_data, body.neighbours, c, h);
+      if constexpr (with_pressure)
+        for_each_lane(body, c, [&](Index i, Index lane) { body.points.neighbour_pressure[i] = sums.pressure[lane]; });
       if constexpr (F::corrected) {
         const Mat3<Pack<T>> B = correction_matrix(sums.moment), L = sums.gradient * B;
         for (int k = 0; k < 9; ++k) store_pack(&body.pair_data.correction[k][c * lanes<T>], B(k / 3, k % 3));
@@ -160,7 +170,11 @@ template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T
       }
     });
   };
-  body.options.variable_smoothing ? drive(std::true_type{}) : drive(std::false_type{});
+  const auto choose = [&](auto variable) {
+    body.options.damage_pressure == DamagePressure::neighbours ? drive(variable, std::true_type{})
+                                                               : drive(variable, std::false_type{});
+  };
+  body.options.variable_smoothing ? choose(std::true_type{}) : choose(std::false_type{});
 }
 
 } // namespace ogive
