@@ -1,12 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# beyond.sh [folder]: the shots behind docs/beyond.md, --method stabilised: the 12 mm plate that its parameters were
-# chosen on, and what mesh, damage and bonds do to that plate and to the one of 6 mm, which they were not chosen on; then
-# --method adaptive (PART=adaptive: these alone), what its limits at 6 and 12 mm depend on (PART=damage), all limits
-# of blunt projectiles on steel with other sizes of hexes (PART=mesh; THICKNESSES="6 12": these plates, SIZES=0.8: this
-# size), what is left of the dishing of a plate that holds (PART=dishing), and what it costs against the paper's method
-# (PART=cost: of the shots on the page of results; PART=timing: one shot for each plate and nose, both methods one after
-# the other). Shots that the folder holds already are not run again; READ_ONLY=1 runs none. Prints tables in Markdown.
+# beyond.sh [folder]: prints the tables of docs/beyond.md, in Markdown, and runs the shots behind them that the folder
+# does not hold yet; READ_ONLY=1 runs none. PART names one of them:
+#   limits      against the tests, all methods, and residual velocities: of the page of results
+#   stabilised  what the parameters of --method stabilised do at 12 and 6 mm
+#   adaptive    shots with --method adaptive
+#   damage      what its limits at 6 and 12 mm depend on
+#   mesh        all limits of blunt projectiles on steel with other sizes of hexes; METHOD=stabilised: of particles;
+#               THICKNESSES="6 12": these plates, SIZES=0.8: this size
+#   dishing     what is left of the dishing of a plate that holds
+#   cost        against the paper's method, of the shots on the page of results
+#   timing      one shot for each plate and nose, both methods one after the other
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/beyond}
@@ -15,23 +19,89 @@ source "$here/shots.sh"
 # limit_of_test, limit_of_page thickness: of the blunt nose on steel, m/s
 limit_of_test() { awk -F, -v t="$1" '$2 == "Weldox 460 E" && $3 == "blunt" && $4 == t { print $5 }' "$root/apps/data/experiment_limits.csv"; }
 limit_of_page() {
-  awk -F, -v t="$1" '$1 == "adaptive" && $2 == "mjc" && $3 == "weldox_460e" && $4 == "blunt" && $5 == t { print $9 }' \
+  awk -F, -v t="$1" -v method="${METHOD:-adaptive}" '$1 == method && $2 == "mjc" && $3 == "weldox_460e" && $4 == "blunt" && $5 == t { print $9 }' \
     "$root/docs/results/results/limits.csv"
 }
 
-head_of_table() {
-  echo "| case | initial, m/s | test, m/s | computed, m/s | plug, g | failed particles | dishing, mm | bonds, % of energy |" \
-    "energy error, % | processor, s |"
-  echo '|---|---|---|---|---|---|---|---|---|---|'
+one() { # name text [option]...
+  shoot "stabilised_$1" --method stabilised --model mjc --no-picture --spacing-mm 0.8 "${@:3}"
+  [ -e "$folder/stabilised_$1/summary.json" ] || return 0
+  echo "| $2 | $(number "stabilised_$1" initial_velocity_mps %.1f) | $(test_velocity "stabilised_$1") |" \
+    "$(number "stabilised_$1" residual_velocity_mps %.1f) | $(number "stabilised_$1" plug_mass_g %.1f) |" \
+    "$(number "stabilised_$1" failed_particles %d) | $(number "stabilised_$1" dishing_mm %.2f) |" \
+    "$(number "stabilised_$1" hourglass_fraction %.2f 100) | $(number "stabilised_$1" energy_error %.3f 100) |" \
+    "$(number "stabilised_$1" cpu_s %.0f) |"
 }
 
-one() { # name text [option]...
-  shoot "$1" --method stabilised --no-picture "${@:3}"
-  [ -e "$folder/$1/summary.json" ] || return 0
-  echo "| $2 | $(number "$1" initial_velocity_mps %.1f) | $(test_velocity "$1") |" \
-    "$(number "$1" residual_velocity_mps %.1f) | $(number "$1" plug_mass_g %.1f) | $(number "$1" failed_particles %d) |" \
-    "$(number "$1" dishing_mm %.2f) | $(number "$1" hourglass_fraction %.2f 100) |" \
-    "$(number "$1" energy_error %.3f 100) | $(number "$1" cpu_s %.0f) |"
+both() { # name text [option]...
+  one "12mm_224.7_$1" "12 mm, $2" --velocity-mps 224.7 "${@:3}"
+  one "6mm_170_$1" "6 mm, $2" --thickness-mm 6 --velocity-mps 170 "${@:3}"
+}
+
+# Of all three methods, on the page of results.
+limits_table() {
+  echo 'Limits by bisection on the page of results, modified law, 0.6 mm, against the tests:'
+  echo
+  echo "| nose | plate | tests, m/s | the paper's method, m/s | off | stabilised, m/s | off | adaptive, m/s | off |"
+  echo '|---|---|---|---|---|---|---|---|---|'
+  awk -F, '
+    NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }
+    $2 == "mjc" {
+      plate = $4 "," $5 " mm " $3
+      if (!(plate in test)) order[++n] = plate
+      test[plate] = $column["test_limit_mps"]
+      found[plate, $1] = $column["bisection_limit_mps"]
+    }
+    function off(plate, method,   limit) {
+      limit = found[plate, method]
+      return limit == "" ? "– | –" : sprintf("%.1f | %+.1f %%", limit, 100 * (limit / test[plate] - 1))
+    }
+    END {
+      for (k = 1; k <= n; ++k) {
+        split(order[k], part, ",")
+        if (found[order[k], "stabilised"] found[order[k], "adaptive"] == "") continue
+        printf "| %s | %s | %.1f | %s | %s | %s |\n", part[1], part[2], test[order[k]], off(order[k], "sfm"),
+          off(order[k], "stabilised"), off(order[k], "adaptive")
+      }
+    }' "$root/docs/results/results/limits.csv"
+}
+
+# Of the stabilised particles, on the page of results.
+residuals_table() {
+  echo '12 mm of steel, blunt, stabilised, on the page of results, modified law, 0.6 mm, at the velocities of measured shots:'
+  echo
+  echo '| initial, m/s | test, m/s | computed, m/s | plug, g | dishing at the end, mm | bonds, % of energy | energy error, % |'
+  echo '|---|---|---|---|---|---|---|'
+  awk -F, '
+    FNR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; ++file; next }
+    file == 1 { if ($2 == "Weldox 460 E" && $3 == "blunt" && $4 == 12) test[$5] = $6; next }
+    $1 == "stabilised" && $2 == "mjc" && $3 == "weldox_460e" && $4 == "blunt" && $5 == 12 && $6 in test {
+      printf "| %.1f | %.1f | %.1f | %.1f | %.2f | %.2f | %.4f |\n", $6, test[$6], $column["residual_velocity_mps"],
+        $column["plug_mass_g"], $column["dishing_mm"], 100 * $column["hourglass_fraction"], 100 * $column["energy_error"]
+    }' "$root/apps/data/experiment_shots.csv" "$root/docs/results/results/shots.csv"
+}
+
+stabilised_tables() {
+  echo 'Stabilised, one parameter at a time, particles 0.8 mm apart:'
+  echo
+  echo '| case | initial, m/s | test, m/s | computed, m/s | plug, g | failed particles | dishing at the end, mm |' \
+    'bonds, % of energy | energy error, % | processor, s |'
+  echo '|---|---|---|---|---|---|---|---|---|---|'
+  both 'base' 'as it is'
+  both 'no_damage' 'no damage' --damage none
+  both 'softening_0' 'Dc 0' --damage-softening 0
+  both 'softening_0.6' 'Dc 0.6' --damage-softening 0.6
+  both 'length_0.15' 'ℓ 0.15 mm' --damage-length-mm 0.15
+  both 'length_0.3' 'ℓ 0.3 mm' --damage-length-mm 0.3
+  both 'everywhere' 'ℓ 0.4 mm, at any stress' --damage-length-mm 0.4 --damage-length-scope everywhere
+  both 'own' "each particle's own pressure" --damage-pressure own
+  both 'everywhere_own' 'both of these' --damage-length-mm 0.4 --damage-length-scope everywhere --damage-pressure own
+  both 'control_0' 'no bonds' --control-stiffness 0
+  both 'control_0.1' 'stiffness of bonds 0.1' --control-stiffness 0.1
+  both 'control_0.6' 'stiffness of bonds 0.6' --control-stiffness 0.6
+  both 'cubic' 'cubic lattice' --lattice cubic
+  both 'rigid' 'rigid projectile' --projectile rigid
+  both 'friction' 'friction 0.1' --friction 0.1
 }
 
 adaptive() { # name text [option]...
@@ -85,11 +155,12 @@ adaptive_tables() {
   done
 }
 
-# limit thickness name [option]...: the middle of the bracket, m/s; hexes of 1.2 mm unless an option says otherwise
+# limit thickness name [option]...: the middle of the bracket, m/s; hexes (METHOD=stabilised: particles) of 1.2 mm unless
+# an option says otherwise
 limit() {
-  local out=$folder/limit_$1mm_$2
+  local out=$folder/limit_${METHOD:+${METHOD}_}$1mm_$2
   if [ ! -e "$out/limit_fit.csv" ] && [ -z "${READ_ONLY:-}" ]; then
-    "$root/scripts/with_display.sh" "${PERFORATE:-$root/build/release/apps/perforate}" limit --method adaptive --quiet --no-vtk \
+    "$root/scripts/with_display.sh" "${PERFORATE:-$root/build/release/apps/perforate}" limit --method "${METHOD:-adaptive}" --quiet --no-vtk \
       --no-picture --spacing-mm 1.2 --thickness-mm "$1" --velocity-mps $((80 + 9 * $1)) --out "$out" "${@:3}" \
       > "$out.log" 2>&1 || echo "$out ended with status $?: see $out.log" >&2
   fi
@@ -149,16 +220,17 @@ dishing_table() {
 }
 
 mesh_tables() {
-  echo 'Hexes that turn into particles, other sizes of hexes: limits by bisection to 2.5 m/s. Those with 0.6 mm are those of the' \
-    'page of results.'
+  local what='Hexes that turn into particles' size_of=hexes
+  [ "${METHOD:-adaptive}" = adaptive ] || what='Stabilised' size_of=particles
+  echo "$what, other sizes of $size_of: limits by bisection to 2.5 m/s. Those with 0.6 mm are those of the page of results."
   echo
-  echo '| plate | tests, m/s | hexes of 1.2 mm | 0.8 mm | 0.6 mm | 0.45 mm | 0.8 mm against 0.6 mm | 0.45 mm against 0.6 mm |'
+  echo "| plate | tests, m/s | $size_of of 1.2 mm | 0.8 mm | 0.6 mm | 0.45 mm | 0.8 mm against 0.6 mm | 0.45 mm against 0.6 mm |"
   echo '|---|---|---|---|---|---|---|---|'
   local thickness size row
   for thickness in ${THICKNESSES:-6 8 10 12 16 20}; do
     declare -A found=([0.6]=$(limit_of_page "$thickness"))
     for size in ${SIZES:-1.2 0.8 0.45}; do
-      found[$size]=$(limit "$thickness" "mesh_${size}mm" --spacing-mm "$size")
+      found[$size]=$(limit "$thickness" "mesh_${size}mm" --model mjc --spacing-mm "$size")
     done
     row="| $thickness mm | $(limit_of_test "$thickness")"
     for size in 1.2 0.8 0.6 0.45; do row+=" | ${found[$size]:-–}"; done
@@ -233,80 +305,35 @@ timing_table() {
     END { if (NR > 0) row("all", "", "", sfm, adaptive) }'
 }
 
-made_by beyond.sh
-if [ "${PART:-}" = timing ]; then
-  timing_table
-  exit
-fi
-if [ "${PART:-}" = cost ]; then
-  cost_tables
-  exit
-fi
-if [ "${PART:-}" = dishing ]; then
-  dishing_table
-  exit
-fi
-if [ "${PART:-}" = mesh ]; then
-  mesh_tables
-  exit
-fi
-if [ "${PART:-}" = damage ]; then
-  damage_tables
-  exit
-fi
-if [ "${PART:-}" = adaptive ]; then
-  adaptive_tables
-  exit
-fi
-echo 'The plate that the parameters were chosen on, 12 mm, particles 0.6 mm apart:'
-echo
-head_of_table
-for v in 181.5 200.4 244.2 303.5 399.6; do
-  one "12mm_${v}" 'stabilised' --velocity-mps "$v"
-  one "12mm_${v}_sfm" "the paper's method" --method sfm --velocity-mps "$v"
-done
-echo
-echo 'Mesh:'
-echo
-head_of_table
-for spacing in 1.2 0.8 0.6 0.45; do
-  one "12mm_244.2_${spacing}mm" "12 mm, particles $spacing mm apart" --velocity-mps 244.2 --spacing-mm "$spacing"
-  one "6mm_150_${spacing}mm" "6 mm, particles $spacing mm apart" --thickness-mm 6 --velocity-mps 150 --spacing-mm "$spacing"
-done
-for spacing in 0.8 0.45; do
-  one "6mm_150_${spacing}mm_any" "6 mm, $spacing mm, failure strains not scaled" --thickness-mm 6 --velocity-mps 150 \
-    --spacing-mm "$spacing" --damage-length-mm 0
-done
-echo
-echo 'One parameter at a time, particles 0.8 mm apart:'
-echo
-head_of_table
-both() { # name text [option]...
-  one "12mm_200.4_$1" "12 mm, $2" --velocity-mps 200.4 --spacing-mm 0.8 "${@:3}"
-  one "6mm_150_$1" "6 mm, $2" --thickness-mm 6 --velocity-mps 150 --spacing-mm 0.8 "${@:3}"
+# all_tables table...: with empty lines between them
+all_tables() {
+  local table first=yes
+  for table in "$@"; do
+    [ -n "$first" ] || echo
+    first=
+    "$table"
+  done
 }
-both 'base' 'as it is'
-both 'no_damage' 'no damage' --damage none
-both 'softening_0' 'Dc 0' --damage-softening 0
-both 'softening_0.15' 'Dc 0.15' --damage-softening 0.15
-both 'softening_0.5' 'Dc 0.5' --damage-softening 0.5
-both 'length_0.45' 'length of damage 0.45 mm' --damage-length-mm 0.45
-both 'length_0.7' 'length of damage 0.7 mm' --damage-length-mm 0.7
-both 'control_0' 'no bonds' --control-stiffness 0
-both 'control_0.1' 'stiffness of bonds 0.1' --control-stiffness 0.1
-both 'control_0.6' 'stiffness of bonds 0.6' --control-stiffness 0.6
-both 'cubic' 'cubic lattice' --lattice cubic
-both 'rigid' 'rigid projectile' --projectile rigid
-both 'removal' 'failed particles removed' --failure removal
-echo
-adaptive_tables
-echo
-damage_tables
-echo
-mesh_tables
-echo
-dishing_table
-echo
-cost_tables
-echo
-timing_table
+
+made_by beyond.sh
+case ${PART:-all} in
+  limits) all_tables limits_table residuals_table ;;
+  stabilised) stabilised_tables ;;
+  adaptive) adaptive_tables ;;
+  damage) damage_tables ;;
+  mesh) mesh_tables ;;
+  dishing) dishing_table ;;
+  cost) cost_tables ;;
+  timing) timing_table ;;
+  all)
+    all_tables limits_table residuals_table stabilised_tables adaptive_tables damage_tables mesh_tables
+    echo
+    METHOD=stabilised mesh_tables
+    echo
+    all_tables dishing_table cost_tables timing_table
+    ;;
+  *)
+    echo "beyond: error: PART = $PART: must be limits, stabilised, adaptive, damage, mesh, dishing, cost, timing or all" >&2
+    exit 2
+    ;;
+esac

@@ -133,6 +133,12 @@ void check(const Options &o, const Origins &origins) {
     refuse_value("damage_softening", o.damage_softening, "needs --damage jc or --damage cockcroft_latham");
   if (o.damage == DamageLaw::none && o.damage_length_mm > 0)
     refuse_value("damage_length_mm", o.damage_length_mm, "needs --damage jc or --damage cockcroft_latham");
+  if (o.damage == DamageLaw::none && o.damage_length_scope != LengthScope::everywhere)
+    refuse(origin_of(origins, "damage_length_scope"), choice_name(o.damage_length_scope),
+           "needs --damage jc or --damage cockcroft_latham");
+  if (o.damage == DamageLaw::none && o.damage_pressure != DamagePressure::own)
+    refuse(origin_of(origins, "damage_pressure"), choice_name(o.damage_pressure),
+           "needs --damage jc or --damage cockcroft_latham");
   if (o.method == Method::adaptive && o.damage != DamageLaw::none && o.failure != FailureEffect::no_tension)
     refuse(origin_of(origins, "failure"), choice_name(o.failure),
            "must be no_tension with --method adaptive: so do the particles that hexes turn into");
@@ -208,7 +214,7 @@ double default_softening(Method method) { return method == Method::sfm ? 0 : ogi
 double default_control_stiffness(Method method) { return ogive::options_of<double>(method).sph.control.stiffness; }
 
 double default_damage_length_mm(Method method) {
-  return method == Method::sfm ? 0 : std::round(ogive::length_of_damage(method) * 1e6) / 1e3;
+  return method == Method::sfm ? 0 : std::round(ogive::length_of_damage * 1e6) / 1e3;
 }
 
 double default_length_exponent(Method method) { return ogive::length_exponent_of_damage(method); }

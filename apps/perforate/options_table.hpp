@@ -160,7 +160,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "damage_length_mm",
           "particle distance for which the constants of damage hold; failure strains grow with finer ones; 0: hold for "
           "any",
-          "0, 0.2 with --method stabilised, 0.22 with --method adaptive: ours",
+          "0, 0.22 with --method stabilised and adaptive: ours",
           {0, 100, "mm"}},
     o.damage_length_mm);
   f(Entry{plate,

@@ -67,20 +67,37 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(stabilised.damage == perforate::DamageLaw::johnson_cook);
   CHECK(stabilised.failure == perforate::FailureEffect::no_tension);
   CHECK(stabilised.damage_softening == 0.3);
-  CHECK(stabilised.damage_length_mm == 0.2);
+  CHECK(stabilised.damage_length_mm == 0.22);
   CHECK(stabilised.damage_length_exponent == 1);
+  CHECK(stabilised.damage_length_scope == perforate::LengthScope::in_shear);
+  CHECK(stabilised.damage_pressure == perforate::DamagePressure::neighbours);
   const Options adaptive = options_of({"--method", "adaptive"});
   CHECK(adaptive.damage_length_mm == 0.22);
   CHECK(adaptive.damage_length_exponent == 0.25);
+  CHECK(adaptive.damage_length_scope == perforate::LengthScope::everywhere);
+  CHECK(adaptive.damage_pressure == perforate::DamagePressure::own);
   std::visit([](const auto &metal) { CHECK(metal.damage.length_exponent == 0.25); }, perforate::plate_of(adaptive));
   CHECK(stabilised.control_stiffness == 0.3);
   CHECK(stabilised.out == "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps_stabilised");
-  std::visit([](const auto &metal) { CHECK(metal.damage.softening == 0.3); }, perforate::plate_of(stabilised));
+  std::visit(
+      [](const auto &metal) {
+        CHECK(metal.damage.softening == 0.3);
+        CHECK(metal.damage.length_scope == perforate::LengthScope::in_shear);
+      },
+      perforate::plate_of(stabilised));
   const Options undamaged = options_of({"--method", "stabilised", "--damage", "none"});
   CHECK(undamaged.failure == perforate::FailureEffect::none);
   CHECK(undamaged.damage_softening == 0);
   CHECK(undamaged.damage_length_mm == 0);
+  CHECK(undamaged.damage_pressure == perforate::DamagePressure::own);
   CHECK(options_of({"--damage", "jc"}).damage_softening == 0);
+  CHECK(options_of({"--damage", "jc"}).damage_length_scope == perforate::LengthScope::everywhere);
+  CHECK(refusal({"--method", "adaptive", "--damage-pressure", "neighbours"}) ==
+        "--damage-pressure = neighbours: must be own with --method adaptive: hexes have no neighbours");
+  CHECK(refusal({"--damage-pressure", "neighbours"}) ==
+        "--damage-pressure = neighbours: needs --damage jc or --damage cockcroft_latham");
+  CHECK(refusal({"--damage-length-scope", "in_shear"}) ==
+        "--damage-length-scope = in_shear: needs --damage jc or --damage cockcroft_latham");
   CHECK(options_of({"--damage", "jc", "--damage-softening", "0.1"}).damage_softening == 0.1);
 }
 

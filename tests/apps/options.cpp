@@ -203,6 +203,8 @@ TEST_CASE("case.toml runs the same case again") {
   all.damage_softening = 0.25;
   all.damage_length_mm = 0.7;
   all.damage_length_exponent = 0.6;
+  all.damage_length_scope = perforate::LengthScope::everywhere;
+  all.damage_pressure = perforate::DamagePressure::own;
   all.failure = perforate::FailureEffect::removal;
   all.thickness_mm = 25.1;
   all.clamp_radius_mm = 100.0 + 1.0 / 3;

@@ -34,8 +34,8 @@ template <class Law> Metal<double, Law> brittle(Metal<double, Law> metal, Failur
   return metal;
 }
 
-/// The same with all that a shot can have: friction, damage with its effect, bonds, a smoothing length that follows the
-/// density, mirror planes.
+/// The same with all that a shot can have: friction, damage with its effect, by the pressure of the neighbours and with
+/// a length, bonds, a smoothing length that follows the density, mirror planes.
 template <class Rule, class Form = RenormalisedForm>
 auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical) {
   auto c = small_case(nose, Extent::quarter);
@@ -43,11 +43,14 @@ auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical) {
   auto plate = library::weldox_460e_mjc<double>();
   plate.damage.law = DamageLaw::johnson_cook;
   plate.damage.effect = effect;
-  plate.damage.failure_strain = {0.1, 0, 0, 0, 0, 1};
+  plate.damage.failure_strain = {0.05, 0.05, -1.5, 0, 0, 1};
   plate.damage.softening = 0.3;
+  plate.damage.length = 0.5 * c.spacing;
+  plate.damage.length_scope = LengthScope::in_shear;
   PerforationOptions<double> numerics;
   numerics.sph.variable_smoothing = true;
   numerics.sph.control.stiffness = 0.3;
+  numerics.sph.damage_pressure = DamagePressure::neighbours;
   return make_perforation<CubicSpline, Form, Rule>(c, plate, library::arne_tool_steel<double>(), numerics);
 }
 

@@ -27,7 +27,8 @@ enum class FailureEffect {
 /// Where failure strains follow the particle distance, see regularised().
 enum class LengthScope {
   everywhere, ///< at any stress
-  in_shear    ///< in bands of shear: wholly at triaxialities up to 0, not at all from 1/3, uniaxial tension, on
+  in_shear ///< in shear and under pressure, triaxialities up to 0; not from 1/3, uniaxial tension, on; between them in
+           ///< part
 };
 
 /// Damage of a metal.

@@ -30,7 +30,7 @@ struct StandardForm {
 /// Whose pressure the damage of a particle follows.
 enum class DamagePressure {
   own,       ///< its own, which alternates from neighbour to neighbour where particles flow
-  neighbours ///< the mean over its neighbours and itself, in which that cancels
+  neighbours ///< the mean over its neighbours and itself, in which that cancels; failed ones count with what they bear
 };
 
 /// Numerical parameters of particles; the defaults are frozen for all cases.

@@ -4,6 +4,7 @@
 #include "ogive/core/parallel.hpp"
 #include "ogive/sph/body.hpp"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,11 @@ void build_lists(SphBody<T, Law, K, F> &body, std::span<const Vec3<T>> x, T supp
     for (auto &B : body.pair_data.correction) B.resize(body.neighbours.order.size());
 }
 
+/// True if the damage of the particles follows the pressure of their neighbours.
+template <class T, class Law, class K, class F> bool sees_neighbours(const SphBody<T, Law, K, F> &body) {
+  return !body.points.neighbour_pressure.empty();
+}
+
 /// Brings neighbour lists and pair data up to date with the nodes.
 template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, F> &body, const Nodes<T> &nodes) {
   const Index n = body.points.size();
@@ -69,7 +75,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
     d.vx[k] = v[i][0], d.vy[k] = v[i][1], d.vz[k] = v[i][2];
     d.volume[k] = kernel_volume(body, i), d.density[k] = body.points.density[i];
     if (body.options.variable_smoothing) d.smoothing[k] = smoothing_length(body, i);
-    if (body.options.damage_pressure == DamagePressure::neighbours) d.pressure[k] = body.points.pressure[i];
+    if (sees_neighbours(body)) d.pressure[k] = body.points.pressure[i];
   });
   for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
     const Index i = image.place;
@@ -85,7 +91,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
 template <class T> struct GradientSums {
   Mat3<Pack<T>> gradient; ///< sum of V_j (v_j - v_i) (x) grad W_ij, 1/s
   Mat3<Pack<T>> moment;   ///< M = -sum of V_j grad W_ij (x) x_ij
-  Pack<T> pressure;       ///< Pa, mean with the weights V_j |grad W_ij|/r, the particle itself included; if asked for
+  Pack<T> pressure{};     ///< Pa, mean with the weights V_j |grad W_ij|/r, the particle itself included; if asked for
 };
 
 /// The sums of cluster c over its neighbours; marks those within the support. With `variable`, a pair's smoothing
@@ -121,7 +127,7 @@ GradientSums<T> gradient_sums(const PairData<T> &d, Neighbours<T> &neighbours, I
   GradientSums<T> sums;
   sums.gradient << lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz;
   sums.moment << mxx, mxy, mzx, mxy, myy, myz, mzx, myz, mzz;
-  // Weights are negative; a removed particle has none, nor neighbours.
+  // Weights are negative, or none where all around is removed.
   if constexpr (with_pressure) sums.pressure = pressure / min(weights, P(-std::numeric_limits<T>::min()));
   return sums;
 }
@@ -171,8 +177,7 @@ template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T
     });
   };
   const auto choose = [&](auto variable) {
-    body.options.damage_pressure == DamagePressure::neighbours ? drive(variable, std::true_type{})
-                                                               : drive(variable, std::false_type{});
+    sees_neighbours(body) ? drive(variable, std::true_type{}) : drive(variable, std::false_type{});
   };
   body.options.variable_smoothing ? choose(std::true_type{}) : choose(std::false_type{});
 }
