@@ -57,12 +57,11 @@ struct Options {
   double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
   double damage_length_mm = 0;                 ///< parse() takes default_damage_length_mm() where none is given
   double damage_length_exponent = 1;           ///< parse() takes default_length_exponent() where none is given
-  LengthScope damage_length_scope =
-      LengthScope::everywhere;                          ///< parse() takes default_length_scope() where none is given
-  DamagePressure damage_pressure = DamagePressure::own; ///< parse() takes default_damage_pressure() where none is given
-  double thickness_mm = 12;                             ///< of several plates the sum
-  std::vector<double> layers_mm;            ///< thicknesses of several plates from front to rear; empty: one plate
-  std::vector<double> gaps_mm;              ///< between them; parse() makes it one for each two plates
+  LengthScope damage_length_scope{};           ///< parse() takes default_length_scope() where none is given
+  DamagePressure damage_pressure{};            ///< parse() takes default_damage_pressure() where none is given
+  double thickness_mm = 12;                    ///< of several plates the sum
+  std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
+  std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
   std::vector<std::string> layer_materials; ///< one for each plate, the first one's is `material` too; empty: all that
   double clamp_radius_mm = 250;
 

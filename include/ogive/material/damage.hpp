@@ -27,8 +27,7 @@ enum class FailureEffect {
 /// Where failure strains follow the particle distance, see regularised().
 enum class LengthScope {
   everywhere, ///< at any stress
-  in_shear ///< in shear and under pressure, triaxialities up to 0; not from 1/3, uniaxial tension, on; between them in
-           ///< part
+  in_shear    ///< in shear and under pressure, triaxiality 0 and below; not in tension, 1/3 and above
 };
 
 /// Damage of a metal.
@@ -59,9 +58,7 @@ template <class T> Damage<T> regularised(Damage<T> damage, T spacing) {
 }
 
 /// Factor of failure strain and critical work at a triaxiality: `shear_factor` in shear and under pressure, 1 from
-/// uniaxial tension on, between them a power of it that falls linearly. (How much a length counts follows the
-/// triaxiality in others' models, too: Walters 2014, Int. J. Crashworthiness 19:1, for necks in shells.) `N` is T or a
-/// pack of T.
+/// uniaxial tension on, between them a power of it that falls linearly. `N` is T or a pack of T.
 template <class T, class N> N size_effect(const Damage<T> &damage, N triaxiality) {
   using std::exp, std::max, std::min;
   if (damage.shear_factor == T(1)) return N(1);

@@ -35,15 +35,15 @@ enum class DamagePressure {
 
 /// Numerical parameters of particles; the defaults are frozen for all cases.
 template <class T> struct SphOptions {
-  T smoothing_ratio = T(1.2);      ///< h over the particle distance
-  T linear_viscosity = T(0.06);    ///< Monaghan's alpha
-  T quadratic_viscosity = T(1.5);  ///< Monaghan's beta
-  bool variable_smoothing = false; ///< h follows the density: h = h0 (rho0/rho)^(1/3), at most 1.3 h0
-  T skin_ratio = T(0.25);          ///< reach of the neighbour lists beyond the support, over the particle distance
-  ZeroEnergyControl<T> control{};  ///< off
-  DamagePressure damage_pressure = DamagePressure::own; ///< whose pressure damage follows
-  T largest_strain = T(0.05);                           ///< of a particle in a step
-  T courant = T(0.5); ///< time step = courant * particle distance / longitudinal sound speed
+  T smoothing_ratio = T(1.2);       ///< h over the particle distance
+  T linear_viscosity = T(0.06);     ///< Monaghan's alpha
+  T quadratic_viscosity = T(1.5);   ///< Monaghan's beta
+  bool variable_smoothing = false;  ///< h follows the density: h = h0 (rho0/rho)^(1/3), at most 1.3 h0
+  T skin_ratio = T(0.25);           ///< reach of the neighbour lists beyond the support, over the particle distance
+  ZeroEnergyControl<T> control{};   ///< off
+  DamagePressure damage_pressure{}; ///< whose pressure damage follows: its own
+  T largest_strain = T(0.05);       ///< of a particle in a step
+  T courant = T(0.5);               ///< time step = courant * particle distance / longitudinal sound speed
 };
 
 /// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
