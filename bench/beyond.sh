@@ -40,7 +40,8 @@ both() { # name text [option]...
 
 # Of all three methods, on the page of results.
 limits_table() {
-  echo 'Limits by bisection on the page of results, modified law, 0.6 mm, against the tests:'
+  echo 'Limits by bisection on the page of results, modified law, 0.6 mm, against the tests; what lies between two shots more' \
+    'than 5 m/s apart is not known better yet:'
   echo
   echo "| nose | plate | tests, m/s | the paper's method, m/s | off | stabilised, m/s | off | adaptive, m/s | off |"
   echo '|---|---|---|---|---|---|---|---|---|'
@@ -51,9 +52,13 @@ limits_table() {
       if (!(plate in test)) order[++n] = plate
       test[plate] = $column["test_limit_mps"]
       found[plate, $1] = $column["bisection_limit_mps"]
+      stopped = $column["highest_stopped_mps"]
+      perforated = $column["lowest_perforated_mps"]
+      wide[plate, $1] = stopped != "" && perforated - stopped > 5 ? stopped " to " perforated : ""
     }
     function off(plate, method,   limit) {
       limit = found[plate, method]
+      if (wide[plate, method] != "") return wide[plate, method] " | –"
       return limit == "" ? "– | –" : sprintf("%.1f | %+.1f %%", limit, 100 * (limit / test[plate] - 1))
     }
     END {
