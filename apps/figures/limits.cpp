@@ -86,8 +86,7 @@ std::vector<Task> next_round(const std::vector<SeriesKey> &series, const std::ve
   std::vector<Task> round;
   for (const SeriesKey &key : series) {
     const Published published = find_published(key, data);
-    const auto fit = fit_of(key, rows, published);
-    const auto expected = fit ? std::optional(fit->curve.limit) : std::nullopt;
+    const auto expected = ogive::expected_limit(fit_of(key, rows, published));
     const double guess = published.test_limit_mps.value_or(200);
     if (const auto v = ogive::next_velocity(tried_shots(key, rows, false), guess, bracket_width_mps, 1, expected))
       round.push_back({shot_of(key, *v)});

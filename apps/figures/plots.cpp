@@ -125,7 +125,7 @@ bool draw_residuals(const Plot &plot, const std::vector<SeriesKey> &series, cons
   const int lines = (static_cast<int>(panels.size()) + columns - 1) / columns;
   std::string commands = "set multiplot layout " + std::to_string(lines) + "," + std::to_string(columns) + " title " +
                          gnuplot_quoted(plot.title) +
-                         "; set key left top reverse Left; set xrange [100:420]; "
+                         "; set key left top reverse Left samplen 2 font ',12'; set xrange [100:420]; "
                          "set yrange [0:400]; set grid; set xtics 100; ";
   int panel = 0;
   for (const auto &[plate, keys] : panels) {
@@ -174,7 +174,7 @@ bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const fs
     const Look look = look_of(key.first, key.second);
     const fs::path file = written(csv, base.string() + "_" + key.first + "_" + key.second + ".csv");
     curves += ", " + gnuplot_file(file) + " using 1:2:3 with yerrorbars linecolor rgb '" + look.colour +
-              "' pointsize 0 notitle, " + curve(file, look);
+              "' pointtype 0 notitle, " + curve(file, look);
   }
   const std::string commands =
       axes("plate thickness, mm", "ballistic limit, m/s", plot.title) +

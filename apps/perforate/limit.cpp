@@ -187,9 +187,7 @@ int find_limit(int argc, const char *const *argv) {
     return ogive::fit_ballistic_curve<double>(residuals, ogive::BallisticCurve<double>{1, 2, 0});
   };
   const auto next = [&] {
-    const auto fit = fit_now();
-    const auto expected = fit ? std::optional(fit->curve.limit) : std::nullopt;
-    return ogive::next_velocity(tried(), guess, search.width_mps, 1, expected);
+    return ogive::next_velocity(tried(), guess, search.width_mps, 1, ogive::expected_limit(fit_now()));
   };
   while (const auto velocity = next())
     if (!add_shot(shots, *velocity)) return shots.status;

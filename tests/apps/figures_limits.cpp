@@ -113,6 +113,14 @@ TEST_CASE("The first velocities of a bisection") {
   CHECK(next(rows) == 190);
   rows.push_back(shot(steel_12mm, 185, 180));
   CHECK(next(rows) == 0);
+
+  // Shots on a straight line, which would end at 100 m/s: 6 % below the slowest.
+  rows.clear();
+  for (const double v : {300.0, 320.0, 340.0, 360.0, 380.0, 400.0}) {
+    rows.push_back(shot(steel_12mm, v, 100));
+    rows.back().residual_velocity_mps = v - 100;
+  }
+  CHECK(next(rows) == 282);
 }
 
 TEST_CASE("Limits tell how far bisection and fit lie apart, and of shots that contradict each other") {

@@ -325,6 +325,19 @@ TEST_CASE("bounds are told") {
   CHECK(none.curve.a == Approx(0.9).epsilon(0.02));
 }
 
+TEST_CASE("a straight line through shots far above the limit is no place to look for it") {
+  // 20 mm of steel, `perforate --method stabilised`: its limit is 280 m/s by bisection.
+  Shots shots{{310, 95.5}, {320, 110.5}, {335, 126.3}, {350, 139.3}, {365, 158.9}, {380, 180.1}, {400, 199.2}};
+  const auto line = fitted_curve(shots);
+  REQUIRE(line.curve.p == 1);
+  REQUIRE(line.curve.limit < 230);
+  CHECK_FALSE(expected_limit<double>(line));
+  shots.push_back({290, 52.1});
+  const auto curve = fitted_curve(shots);
+  CHECK(expected_limit<double>(curve) == curve.curve.limit);
+  CHECK_FALSE(expected_limit<double>(std::nullopt));
+}
+
 TEST_CASE("shots and starts that are none are refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -200.0, nan, inf})

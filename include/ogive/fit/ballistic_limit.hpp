@@ -291,4 +291,11 @@ std::optional<BallisticFit<T>> fit_ballistic_curve(std::span<const std::type_ide
   return fit;
 }
 
+/// The limit of a fit as a place to shoot at next, m/s: nothing without a fit, nor where the best curve is the straight
+/// line of the least p, as it is of shots far above the limit. That of the true curve lies above where the line ends.
+template <class T> std::optional<T> expected_limit(const std::optional<BallisticFit<T>> &fit) {
+  if (!fit || !(fit->curve.p > T(least_ballistic_p))) return std::nullopt;
+  return fit->curve.limit;
+}
+
 } // namespace ogive
