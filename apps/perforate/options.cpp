@@ -20,6 +20,7 @@ namespace {
 
 /// What a value of this option may be, to complete "must be" or "needs a value:".
 std::string allowed_text(const Entry &entry, double) { return "a number between " + text_of(entry.limits); }
+std::string allowed_text(const Entry &entry, const std::optional<double> &) { return allowed_text(entry, 0.0); }
 std::string allowed_text(const Entry &entry, const std::optional<int> &) {
   return "a whole number between " + text_of(entry.limits);
 }
@@ -35,6 +36,10 @@ std::string allowed_text(const Entry &, const std::vector<std::string> &) {
 template <class E> std::string allowed_text(const Entry &, E kind) { return "one of " + choice_names(kind); }
 
 void assign(const Entry &entry, double &value, const Given &given) {
+  value = input::number_within(given, entry.limits);
+}
+
+void assign(const Entry &entry, std::optional<double> &value, const Given &given) {
   value = input::number_within(given, entry.limits);
 }
 
@@ -131,8 +136,8 @@ void check(const Options &o, const Origins &origins) {
     refuse(origin_of(origins, "failure"), choice_name(o.failure), "needs --damage jc or --damage cockcroft_latham");
   if (o.damage == DamageLaw::none && o.damage_softening > 0)
     refuse_value("damage_softening", o.damage_softening, "needs --damage jc or --damage cockcroft_latham");
-  if (o.damage == DamageLaw::none && o.damage_length_mm > 0)
-    refuse_value("damage_length_mm", o.damage_length_mm, "needs --damage jc or --damage cockcroft_latham");
+  if (o.damage == DamageLaw::none && o.damage_length_mm.value_or(0) > 0)
+    refuse_value("damage_length_mm", *o.damage_length_mm, "needs --damage jc or --damage cockcroft_latham");
   if (o.damage == DamageLaw::none && o.damage_length_scope != LengthScope::everywhere)
     refuse(origin_of(origins, "damage_length_scope"), choice_name(o.damage_length_scope),
            "needs --damage jc or --damage cockcroft_latham");
@@ -189,6 +194,7 @@ Options parse_restart(const input::CommandLine &line, const Given &restart) {
   const std::filesystem::path file = input::line_given(restart, "the name of a checkpoint file");
   const SavedCase saved = read_saved_case(file);
   Options options;
+  options.damage_length_mm.reset(); // the case has all that is set
   Origins origins;
   for (const Given &given : entries_of(saved.case_toml, "case in " + file.string())) apply(options, origins, given);
   options.out = file.has_parent_path() ? file.parent_path() : ".";
@@ -213,8 +219,10 @@ double default_softening(Method method) { return method == Method::sfm ? 0 : ogi
 
 double default_control_stiffness(Method method) { return ogive::options_of<double>(method).sph.control.stiffness; }
 
-double default_damage_length_mm(Method method) {
-  return method == Method::sfm ? 0 : std::round(ogive::length_of_damage * 1e6) / 1e3;
+std::optional<double> default_damage_length_mm(Method method, DamageLaw damage) {
+  if (damage == DamageLaw::none || method == Method::sfm) return 0;
+  if (method == Method::stabilised) return std::nullopt;
+  return std::round(ogive::length_of_hex_damage * 1e6) / 1e3;
 }
 
 double default_length_exponent(Method method) { return ogive::length_exponent_of_damage(method); }
@@ -240,9 +248,9 @@ double estimated_particles(const Options &o) {
 void take_defaults(Options &o, const Origins &origins) {
   const auto is_open = [&](const char *key) { return !origins.contains(key); };
   if (is_open("damage")) o.damage = default_damage(o.method);
+  if (is_open("damage_length_mm")) o.damage_length_mm = default_damage_length_mm(o.method, o.damage);
   if (o.damage != DamageLaw::none) {
     if (is_open("damage_softening")) o.damage_softening = default_softening(o.method);
-    if (is_open("damage_length_mm")) o.damage_length_mm = default_damage_length_mm(o.method);
     if (is_open("damage_length_exponent")) o.damage_length_exponent = default_length_exponent(o.method);
     if (is_open("damage_length_scope")) o.damage_length_scope = default_length_scope(o.method);
     if (is_open("damage_pressure")) o.damage_pressure = default_damage_pressure(o.method);

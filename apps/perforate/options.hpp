@@ -55,7 +55,7 @@ struct Options {
   DamageLaw damage = DamageLaw::none;          ///< parse() takes default_damage() where none is given
   FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
   double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
-  double damage_length_mm = 0;                 ///< parse() takes default_damage_length_mm() where none is given
+  std::optional<double> damage_length_mm = 0;  ///< unset: shear_length_mm of each plate; parse() takes the default
   double damage_length_exponent = 1;           ///< parse() takes default_length_exponent() where none is given
   LengthScope damage_length_scope{};           ///< parse() takes default_length_scope() where none is given
   DamagePressure damage_pressure{};            ///< parse() takes default_damage_pressure() where none is given
@@ -131,8 +131,8 @@ double default_softening(Method method);
 /// Stiffness of the bonds against zero-energy modes unless the user says so, over the shear modulus.
 double default_control_stiffness(Method method);
 
-/// Particle distance for which the constants of damage hold unless the user says so, mm.
-double default_damage_length_mm(Method method);
+/// Particle distance for which the constants of damage hold unless the user says so, mm; unset: that of each metal.
+std::optional<double> default_damage_length_mm(Method method, DamageLaw damage);
 
 /// With which exponent failure strains follow the particle distance unless the user says so.
 double default_length_exponent(Method method);

@@ -19,6 +19,7 @@ template <class E> std::string shown(E value) { return choice_name(value); }
 std::string placeholder(double) { return " X"; }
 std::string placeholder(const std::string &) { return " NAME|FILE.toml"; }
 std::string placeholder(bool) { return ""; }
+std::string placeholder(const std::optional<double> &) { return " X"; }
 std::string placeholder(const std::optional<int> &) { return " N"; }
 std::string placeholder(const std::filesystem::path &) { return " FOLDER"; }
 std::string placeholder(const std::vector<double> &) { return " X,X,..."; }
@@ -26,6 +27,7 @@ std::string placeholder(const std::vector<std::string> &) { return " NAME,NAME,.
 template <class E> std::string placeholder(E) { return " NAME"; }
 
 std::string allowed(const Entry &entry, double) { return "; " + text_of(entry.limits, " to "); }
+std::string allowed(const Entry &entry, const std::optional<double> &) { return allowed(entry, 0.0); }
 std::string allowed(const Entry &entry, const std::optional<int> &) { return "; " + text_of(entry.limits, " to "); }
 std::string allowed(const Entry &entry, bool) { return "; --no-" + flag_of(entry.key).substr(2) + " for not"; }
 std::string allowed(const Entry &, const std::filesystem::path &) { return ""; }
@@ -42,8 +44,7 @@ template <class E> std::string allowed(const Entry &, E kind) { return ": " + ch
 
 /// The default and its source; where the default depends on other options the source says all.
 template <class V> std::string default_text(const Entry &entry, const V &value) {
-  if constexpr (requires { shown(value); } && !std::is_same_v<V, std::filesystem::path> &&
-                !std::is_same_v<V, std::optional<int>>)
+  if constexpr (requires { shown(value); } && !std::is_same_v<V, std::filesystem::path> && !is_optional<V>)
     if (std::string_view(entry.source).find(':') == std::string_view::npos)
       return " [" + shown(value) + ": " + entry.source + "]";
   return std::string(" [") + entry.source + "]";

@@ -19,6 +19,8 @@ namespace {
 template <class V> std::string label(const V &value) {
   if constexpr (std::is_floating_point_v<V>)
     return shortest(std::round(value * 1e6) / 1e6);
+  else if constexpr (std::is_same_v<V, std::optional<double>>)
+    return value ? label(*value) : "";
   else if constexpr (std::is_enum_v<V>)
     return choice_name(value);
   else

@@ -126,7 +126,7 @@ std::vector<AnyMetal> plates_of(const Options &o) {
           metal.damage.law = o.damage;
           metal.damage.effect = o.failure;
           metal.damage.softening = o.damage_softening;
-          metal.damage.length = o.damage_length_mm * 1e-3;
+          metal.damage.length = o.damage_length_mm ? *o.damage_length_mm * 1e-3 : metal.damage.shear_length;
           metal.damage.length_exponent = o.damage_length_exponent;
           metal.damage.length_scope = o.damage_length_scope;
         },

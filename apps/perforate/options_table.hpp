@@ -116,6 +116,10 @@ template <class E> std::string choice_names(E kind) { return input::names_in(cho
 template <class V> inline constexpr bool is_list = false;
 template <class V> inline constexpr bool is_list<std::vector<V>> = true;
 
+/// True of options that may be left unset.
+template <class V> inline constexpr bool is_optional = false;
+template <class V> inline constexpr bool is_optional<std::optional<V>> = true;
+
 /// Texts with `separator` between them.
 inline std::string joined(const std::vector<std::string> &texts, const std::string &separator) {
   std::string all;
@@ -160,7 +164,7 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "damage_length_mm",
           "particle distance for which the constants of damage hold; failure strains grow with finer ones; 0: hold for "
           "any",
-          "0, 0.22 with --method stabilised and adaptive: ours",
+          "0, shear_length_mm of the material with --method stabilised, 0.22 with --method adaptive: ours",
           {0, 100, "mm"}},
     o.damage_length_mm);
   f(Entry{plate,

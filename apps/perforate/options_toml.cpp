@@ -13,8 +13,9 @@ namespace {
 using input::toml_string;
 
 std::string toml_value(double value) { return shortest(value); }
+std::string toml_value(int value) { return std::to_string(value); }
 std::string toml_value(bool value) { return value ? "true" : "false"; }
-std::string toml_value(const std::optional<int> &value) { return std::to_string(*value); }
+template <class V> std::string toml_value(const std::optional<V> &value) { return toml_value(*value); }
 std::string toml_value(const std::filesystem::path &value) { return toml_string(value.string()); }
 std::string toml_value(const std::string &value) { return toml_string(value); }
 std::string toml_value(const std::vector<double> &values) { return "[" + joined(values, ", ") + "]"; }
@@ -40,7 +41,7 @@ bool left_to_reader(const Options &options, const double &value) {
          (&value == &options.length_mm && value == default_length_mm(options)) ||
          &value == &options.calibre_radius_head;
 }
-bool left_to_reader(const Options &, const std::optional<int> &threads) { return !threads; }
+template <class V> bool left_to_reader(const Options &, const std::optional<V> &value) { return !value; }
 /// The material follows from those of the plates.
 bool left_to_reader(const Options &options, const std::string &) { return !options.layer_materials.empty(); }
 template <class V> bool left_to_reader(const Options &, const std::vector<V> &list) { return list.empty(); }
@@ -84,7 +85,7 @@ std::string to_toml(const Options &options) {
 std::string to_complete_toml(const Options &options) {
   std::string text;
   for_each_option(options, [&]<class V>(const Entry &entry, const V &value) {
-    if constexpr (std::is_same_v<V, std::optional<int>>)
+    if constexpr (is_optional<V>)
       if (!value) return;
     if constexpr (is_list<V>)
       if (value.empty()) return;

@@ -90,6 +90,13 @@ template <class M, class F> void for_each_key(M &&m, F &&f) {
   f(Key{"D4", "exponent of the rate", {-10, 10}, 0, strain}, failure.D4);
   f(Key{"D5", "of the homologous temperature", {-100, 100}, 0, strain}, failure.D5);
   f(Key{"damage_reference_rate_per_s", "of D4", {1e-12, 1e9, "1/s"}, 0, strain, false}, failure.reference_rate);
+  f(Key{"shear_length_mm",
+        "particle distance for which damage holds in bands of shear; 0: any",
+        {0, 100, "mm"},
+        -3,
+        strain,
+        false},
+    m.damage.shear_length);
   f(Key{"critical_work_MPa", "Cockcroft-Latham", {0.001, 1e6, "MPa"}, 6, work}, m.damage.critical_work);
 }
 

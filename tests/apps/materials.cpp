@@ -67,7 +67,7 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(stabilised.damage == perforate::DamageLaw::johnson_cook);
   CHECK(stabilised.failure == perforate::FailureEffect::no_tension);
   CHECK(stabilised.damage_softening == 0.3);
-  CHECK(stabilised.damage_length_mm == 0.22);
+  CHECK_FALSE(stabilised.damage_length_mm);
   CHECK(stabilised.damage_length_exponent == 1);
   CHECK(stabilised.damage_length_scope == perforate::LengthScope::in_shear);
   CHECK(stabilised.damage_pressure == perforate::DamagePressure::neighbours);
@@ -82,6 +82,7 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   std::visit(
       [](const auto &metal) {
         CHECK(metal.damage.softening == 0.3);
+        CHECK(metal.damage.length == 0.22e-3);
         CHECK(metal.damage.length_scope == perforate::LengthScope::in_shear);
       },
       perforate::plate_of(stabilised));
@@ -99,6 +100,33 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(refusal({"--damage-length-scope", "in_shear"}) ==
         "--damage-length-scope = in_shear: needs --damage jc or --damage cockcroft_latham");
   CHECK(options_of({"--damage", "jc", "--damage-softening", "0.1"}).damage_softening == 0.1);
+}
+
+TEST_CASE(
+    "stabilised particles have the length of each plate's own bands of shear, unless the user gives one for all") {
+  const auto lengths = [](std::vector<const char *> arguments) {
+    arguments.insert(arguments.end(), {"--method", "stabilised"});
+    std::vector<double> all;
+    for (const auto &plate : plates_of(options_of(arguments)))
+      std::visit([&](const auto &metal) { all.push_back(metal.damage.length); }, plate);
+    return all;
+  };
+  CHECK(lengths({}) == std::vector{0.22e-3});
+  CHECK(lengths({"--model", "jc"}) == std::vector{0.22e-3});
+  CHECK(lengths({"--material", "aa5083_h116"}) == std::vector{0.0});
+  CHECK(lengths({"--layers-mm", "4,8", "--layer-materials", "weldox_460e,aa5083_h116"}) == std::vector{0.22e-3, 0.0});
+  CHECK(lengths({"--layers-mm", "4,8", "--layer-materials", "weldox_460e,aa5083_h116", "--damage-length-mm", "0.5"}) ==
+        std::vector{0.5e-3, 0.5e-3});
+  CHECK(lengths({"--damage-length-mm", "0"}) == std::vector{0.0});
+  CHECK(lengths({"--damage", "none"}) == std::vector{0.0});
+
+  // A copy of a metal keeps the length that it says.
+  const Materials m;
+  CHECK(lengths({"--material", m.steel.c_str()}) == std::vector{0.22e-3});
+  auto metal = library::weldox_460e_mjc<double>();
+  metal.damage.shear_length = 0.3e-3;
+  write(m.steel, material_file::to_toml(metal, ""));
+  CHECK(lengths({"--material", m.steel.c_str()}) == std::vector{0.3e-3});
 }
 
 TEST_CASE("damage is off, and where it is on failure takes the tension") {

@@ -36,6 +36,7 @@ template <class T> struct Damage {
   FailureEffect effect = FailureEffect::none; ///< what happens at 1
   FailureStrain<T> failure_strain{};          ///< of the Johnson-Cook law
   T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa
+  T shear_length = T(0);                      ///< a `length` for bands of shear in this metal, m; 0: none is known
   T softening = T(0);                         ///< Dc: the flow stress is multiplied by 1 - Dc D (Boervik et al. 2001)
   T length = T(0);          ///< particle distance for which the constants hold, m, see regularised(); 0: for any
   T length_exponent = T(1); ///< how failure strains follow other distances: 1 keeps the displacement, 0 the strain

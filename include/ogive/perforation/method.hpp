@@ -16,9 +16,10 @@ enum class Method {
 /// Boervik et al. 2001 for that metal; taken for all metals, see docs/beyond.md.
 constexpr double softening_of_damage(Method method) { return method == Method::adaptive ? 0.6 : 0.3; }
 
-/// Particle distance or size of hexes for which the constants of damage hold in the methods in which it counts, m: set
-/// on shots at Weldox 460 E, above all the plate of 12 mm, see docs/beyond.md.
-inline constexpr double length_of_damage = 0.22e-3;
+/// Size of hexes for which the constants of damage hold with the adaptive method, m: set on shots at Weldox 460 E, above
+/// all the plate of 12 mm, and taken for all metals, see docs/beyond.md. Stabilised particles have the length of the
+/// metal, Damage::shear_length.
+inline constexpr double length_of_hex_damage = 0.22e-3;
 
 /// Exponent with which failure strains follow the particle distance in those methods: chosen on the plate of 12 mm with
 /// distances of 0.6 to 1.2 mm, see docs/beyond.md.
