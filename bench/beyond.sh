@@ -107,6 +107,9 @@ stabilised_tables() {
   both 'cubic' 'cubic lattice' --lattice cubic
   both 'rigid' 'rigid projectile' --projectile rigid
   both 'friction' 'friction 0.1' --friction 0.1
+  both 'edge_0.2' 'edge radius 0.2 mm' --edge-radius-mm 0.2
+  both 'edge_0.5' 'edge radius 0.5 mm' --edge-radius-mm 0.5
+  both 'edge_1' 'edge radius 1 mm' --edge-radius-mm 1
 }
 
 adaptive() { # name text [option]...

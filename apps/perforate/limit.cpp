@@ -193,17 +193,19 @@ int find_limit(int argc, const char *const *argv) {
     if (!add_shot(shots, *velocity)) return shots.status;
   const auto bracket = ogive::bracket(tried());
   const auto estimate = ogive::limit_estimate(bracket);
-  if (estimate)
+  if (estimate) {
+    std::printf("\n  %-22s %.1f +- %.1f m/s%s\n\n", "limit by bisection", estimate->limit, estimate->half_width,
+                bracket.consistent ? "" : "; shots above it were stopped, too");
+    std::fflush(stdout);
     for (const double times : shown_velocities)
       if (!add_shot(shots, 5 * std::ceil(estimate->limit * times / 5))) return shots.status;
+    std::printf("\n");
+  } else {
+    std::printf("\n  no limit: %s\n", bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
+  }
 
   const auto fit = fit_now();
   ogive::write_atomically(o.out / "limit.csv", csv_of(shots.done));
-  if (estimate)
-    std::printf("\n  %-22s %.1f +- %.1f m/s%s\n", "limit by bisection", estimate->limit, estimate->half_width,
-                bracket.consistent ? "" : "; shots above it were stopped, too");
-  else
-    std::printf("\n  no limit: %s\n", bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
   if (fit) {
     std::printf("  %-22s %s m/s\n", "limit of the fit", with_error(fit->curve.limit, fit->limit, "%.1f").c_str());
     std::printf("  %-22s a %s, p %s, %zu shots, rms %.1f m/s\n", "v_r = a (v^p-v_l^p)^1/p",

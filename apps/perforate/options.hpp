@@ -70,6 +70,7 @@ struct Options {
   double length_mm = 80;          ///< tip to tail; parse() takes that of the paper's nose, scaled with the diameter
   double nose_length_mm = 0;      ///< of a conical or ogival nose; parse() takes that of the paper's, scaled likewise
   double calibre_radius_head = 0; ///< of an ogive, instead of its nose length; 0: not given
+  double edge_radius_mm = 0;      ///< of the edge between face and shank of a blunt nose; 0: sharp
   double mass_g = 0;              ///< of the projectile; 0: by the density of its steel
   double obliquity_deg = 0;       ///< between the line of flight and the plate's axis
   ProjectileKind projectile = ProjectileKind::deformable;

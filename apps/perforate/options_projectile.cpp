@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options_projectile.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace perforate {
@@ -33,6 +34,7 @@ double default_length_mm(const Options &o) {
 ogive::ProjectileShape<double> shape_of(const Options &o) {
   auto shape = scaled_shape(o);
   if (is_pointed(o) && o.nose_length_mm != default_nose_length_mm(o)) shape.nose_length = o.nose_length_mm * 1e-3;
+  shape.edge_radius = o.edge_radius_mm * 1e-3;
   if (o.length_mm != default_length_mm(o)) shape.shank_length = o.length_mm * 1e-3 - ogive::nose_height(shape);
   return shape;
 }
@@ -64,6 +66,13 @@ void settle_projectile(Options &o, const Origins &origins) {
   if (o.nose == Nose::ogival && !(o.nose_length_mm > radius_mm))
     refuse_number("nose_length_mm", o.nose_length_mm,
                   "must exceed the radius of an ogive, " + shortest(radius_mm) + " mm");
+
+  if (o.edge_radius_mm != 0 && o.nose != Nose::blunt)
+    refuse_number("edge_radius_mm", o.edge_radius_mm, "needs --nose blunt");
+  if (o.edge_radius_mm > std::min(o.diameter_mm / 8, 2 * o.spacing_mm))
+    refuse_number("edge_radius_mm", o.edge_radius_mm,
+                  "must be at most an eighth of the diameter, " + shortest(o.diameter_mm / 8) +
+                      " mm, and twice the particle distance, " + shortest(2 * o.spacing_mm) + " mm");
 
   if (!origins.contains("length_mm")) o.length_mm = default_length_mm(o);
   const double shank_mm = shape_of(o).shank_length * 1e3;

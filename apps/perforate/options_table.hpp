@@ -224,6 +224,12 @@ template <class O, class F> void for_each_option(O &o, F &&f) {
           "none: that follows from the length",
           {0, 50, ""}},
     o.calibre_radius_head);
+  f(Entry{projectile,
+          "edge_radius_mm",
+          "of the edge of a blunt nose, at most twice the particle distance",
+          "0: sharp",
+          {0, 25, "mm"}},
+    o.edge_radius_mm);
   f(Entry{projectile, "mass_g", "of the projectile, by its density; 0: that of tool steel", "paper", {0, 1e6, "g"}},
     o.mass_g);
   f(Entry{projectile,

@@ -18,6 +18,7 @@ struct Progress {
   double cpu_before_s = 0; ///< processor time of the run before this part of it
   bool terminal = isatty(STDERR_FILENO) != 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::clock_t cpu_start = std::clock(); ///< a search for a limit runs many shots in one process
   double last_shown_s = -1e9;
 };
 
@@ -28,7 +29,7 @@ inline double elapsed_s(const Progress &p) {
 
 /// Processor seconds of all threads in all parts of the run.
 inline double cpu_s(const Progress &p) {
-  return p.cpu_before_s + static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+  return p.cpu_before_s + static_cast<double>(std::clock() - p.cpu_start) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
 /// "2 min 05 s"

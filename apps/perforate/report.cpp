@@ -150,6 +150,7 @@ void write_summary(const Options &o, const Shot &s, const std::optional<experime
   j["diameter_mm"] = o.diameter_mm;
   j["length_mm"] = o.length_mm;
   j["nose_length_mm"] = o.nose_length_mm;
+  j["edge_radius_mm"] = o.edge_radius_mm;
   j["obliquity_deg"] = o.obliquity_deg;
   j["projectile"] = o.projectile == ProjectileKind::rigid ? "rigid" : "deformable";
   j["thickness_mm"] = o.thickness_mm;

@@ -18,6 +18,8 @@ case=(--spacing-mm 2 --sph-radius-mm 15 --clamp-radius-mm 30 --thickness-mm 4 --
 "$perforate" limit "${case[@]}" --velocity-mps 100 --out whole > whole.out || fail "status $?"
 grep -q 'limit by bisection *[0-9.]* +- ' whole.out || fail "no limit: $(cat whole.out)"
 grep -q 'limit of the fit' whole.out || fail "no fit"
+# The limit is said as soon as it is known, before the faster shots that show the curve.
+[ "$(sed -n '/limit by bisection/,$p' whole.out | grep -c 'm/s  residual')" -eq 4 ] || fail "said late: $(cat whole.out)"
 [ -s whole/limit.svg ] || ! command -v gnuplot > /dev/null || fail "no picture"
 
 # The limit lies where the table says: the fastest that was stopped and the slowest that was not, 20 m/s apart at most.
@@ -26,6 +28,12 @@ awk -F, 'NR > 1 && $3 == 0 && $1 > stopped { stopped = $1 }
   END { exit !(low > stopped && low - stopped <= 20) }' whole/limit.csv || fail "another bracket: $(cat whole/limit.csv)"
 shots=$(find whole -name summary.json | wc -l)
 [ "$shots" -eq $(($(wc -l < whole/limit.csv) - 1)) ] || fail "$shots shots, limit.csv: $(cat whole/limit.csv)"
+
+# The processor time of a shot is its own, not that of all shots before it: no more than all cores have in its wall time.
+for summary in whole/*/summary.json; do
+  awk -F'[:,]' -v cores="$(nproc)" '/"cpu_s"/ { cpu = $2 } /"wall_s"/ { wall = $2 } END { exit !(cpu > 0 && cpu <= cores * wall + 0.1) }' \
+    "$summary" || fail "processor time: $(grep '_s"' "$summary")"
+done
 
 # Again: nothing is run, all is said.
 touch -d '2001-01-01' whole/*/summary.json

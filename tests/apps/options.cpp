@@ -110,6 +110,10 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--nose", "ogival", "--calibre-radius-head", "0.4"}, "--calibre-radius-head = 0.4: must exceed 0.5"},
       {{"--nose", "ogival", "--calibre-radius-head", "3", "--nose-length-mm", "33"},
        "--calibre-radius-head = 3: contradicts nose_length_mm"},
+      {{"--nose", "conical", "--edge-radius-mm", "0.5"}, "--edge-radius-mm = 0.5: needs --nose blunt"},
+      {{"--edge-radius-mm", "1.3"},
+       "--edge-radius-mm = 1.3: must be at most an eighth of the diameter, 2.5 mm, and twice the particle distance, "
+       "1.2 mm"},
       {{"--nose", "conical", "--length-mm", "31"}, "--length-mm = 31: must be 32 mm or more"},
       {{"--obliquity-deg", "30"}, "--obliquity-deg = 30: needs --extent half or --extent full"},
       {{"--obliquity-deg", "30", "--extent", "half", "--sph-radius-mm", "18"},

@@ -79,6 +79,40 @@ TEST_CASE("projectiles have the analytic volume and mass", "[fem]") {
   CHECK(ogive_radius(paper_projectile<double>(Nose::ogival)) == Approx(59.45e-3).epsilon(1e-4));
 }
 
+TEST_CASE("a rounded edge takes its volume off the mesh and leaves the rest of it", "[fem]") {
+  auto shape = paper_projectile<double>(Nose::blunt);
+  const double spacing = 0.6e-3;
+  const auto sharp = projectile_mesh(shape, spacing, Extent::quarter);
+  for (double r : {0.2e-3, 0.5e-3, 1e-3}) {
+    shape.edge_radius = r;
+    // Pappus: the corner outside of a quarter of a circle has the area r^2 (1 - pi/4) and its centre of area lies
+    // r (5/6 - pi/4)/(1 - pi/4) from the shank's side, by hand.
+    const double pi = std::numbers::pi, area = r * r * (1 - pi / 4), offset = r * (5.0 / 6 - pi / 4) / (1 - pi / 4);
+    CHECK(pi * edge_loss(shape) == Approx(2 * pi * (0.01 - offset) * area).epsilon(1e-9));
+    CHECK(radius_at(shape, 0.0) == Approx(0.01 - r));
+    CHECK(radius_at(shape, r * (1 - std::sqrt(0.5))) == Approx(0.01 - r * (1 - std::sqrt(0.5))));
+    CHECK(radius_at(shape, r) == Approx(0.01));
+    const auto mesh = projectile_mesh(shape, spacing, Extent::quarter);
+    CHECK(4 * volume(sharp) - 4 * volume(mesh) == Approx(pi * edge_loss(shape)).epsilon(1e-6));
+    REQUIRE(mesh.positions.size() == sharp.positions.size());
+    const double outward = std::hypot(sharp.positions.back()[0], sharp.positions.back()[1]) / 0.01;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const V &p = mesh.positions[i], &q = sharp.positions[i];
+      if (q[2] > 1e-3) CHECK(p == q);
+      // No node outside of the arc by more than a chord that cuts off its area has to be, 0.07 r.
+      const double x = std::hypot(p[0], p[1]) / outward - (0.01 - r), z = r - p[2];
+      if (x > 0 && z > 0) CHECK(std::hypot(x, z) < 1.07 * r);
+    }
+  }
+  shape.edge_radius = 2e-3;
+  CHECK(contains(setup_error_of([&] { projectile_mesh(shape, spacing, Extent::quarter); }), "edge radius (m) = 0.002"));
+  shape.edge_radius = 3e-3;
+  CHECK(contains(setup_error_of([&] { projectile_mesh(shape, 2e-3, Extent::quarter); }), "an eighth of the diameter"));
+  auto cone = paper_projectile<double>(Nose::conical);
+  cone.edge_radius = 1e-3;
+  CHECK(contains(setup_error_of([&] { projectile_mesh(cone, 1e-3, Extent::quarter); }), "must be 0 unless blunt"));
+}
+
 TEST_CASE("the blunt projectile at 0.6 mm is as fine as asked for", "[fem]") {
   const auto mesh = projectile_mesh(paper_projectile<double>(Nose::blunt), 0.6e-3, Extent::quarter);
   CHECK(mesh.hexes.size() > 2500);

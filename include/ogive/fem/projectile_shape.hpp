@@ -39,6 +39,7 @@ template <class T> struct ProjectileShape {
   T shank_length{};        ///< m
   T nose_length{}; ///< m: 0 if blunt; of the frustum if conical; of the ogive without flat; the radius if hemispherical
   T tip_diameter{}; ///< flat at the tip of a conical or ogival nose, m
+  T edge_radius{};  ///< of the edge between face and shank of a blunt projectile, m; 0: sharp
 };
 
 /// The projectiles of Liu et al. 2012, Fig. 4: 20 mm and about 197 g. The ogive (tangent, radius 59.45 mm) is given a
@@ -65,7 +66,13 @@ template <class T> void check(const ProjectileShape<T> &s) {
   positive(s.diameter, "projectile diameter (m)");
   positive(s.shank_length, "projectile shank length (m)");
   const T radius = s.diameter / T(2);
-  if (s.nose == Nose::blunt) require(s.nose_length == T(0), "nose length (m)", s.nose_length, "must be 0 if blunt");
+  if (s.nose == Nose::blunt) {
+    require(s.nose_length == T(0), "nose length (m)", s.nose_length, "must be 0 if blunt");
+    require(s.edge_radius >= T(0) && s.edge_radius <= std::min(radius / T(4), s.shank_length / T(2)), "edge radius (m)",
+            s.edge_radius, "must lie between 0 and an eighth of the diameter or half the length");
+  } else {
+    require(s.edge_radius == T(0), "edge radius (m)", s.edge_radius, "must be 0 unless blunt");
+  }
   if (s.nose == Nose::hemispherical)
     require(std::abs(s.nose_length - radius) <= T(1e-5) * radius, "nose length (m)", s.nose_length,
             "must be the radius if hemispherical");
@@ -101,8 +108,10 @@ template <class T> T radius_at(const ProjectileShape<T> &s, T z) {
   const T radius = s.diameter / T(2), height = nose_height(s);
   const T before = std::max(T(0), height - z);
   switch (s.nose) {
-  case Nose::blunt:
-    return radius;
+  case Nose::blunt: {
+    const T left = std::max(T(0), s.edge_radius - z);
+    return radius - s.edge_radius + std::sqrt(s.edge_radius * s.edge_radius - left * left);
+  }
   case Nose::conical:
     return radius - (radius - s.tip_diameter / T(2)) * before / height;
   case Nose::ogival: {
@@ -115,11 +124,18 @@ template <class T> T radius_at(const ProjectileShape<T> &s, T z) {
   return radius;
 }
 
+/// Volume that a rounded edge lacks against a sharp one, over pi, m3: the integral of R^2 - radius_at(z)^2.
+template <class T> T edge_loss(const ProjectileShape<T> &s) {
+  constexpr T pi = std::numbers::pi_v<T>;
+  const T r = s.edge_radius, radius = s.diameter / T(2), inner = radius - r;
+  return r * (radius * radius - inner * inner) - inner * r * r * pi / T(2) - T(2) / T(3) * r * r * r;
+}
+
 /// Analytic volume, m3.
 template <class T> T volume(const ProjectileShape<T> &s) {
   constexpr T pi = std::numbers::pi_v<T>;
   const T radius = s.diameter / T(2), tip = s.tip_diameter / T(2), height = nose_height(s);
-  T nose = T(0);
+  T nose = -pi * edge_loss(s);
   if (s.nose == Nose::conical) nose = pi / T(3) * height * (radius * radius + radius * tip + tip * tip);
   if (s.nose == Nose::hemispherical) nose = T(2) / T(3) * pi * radius * radius * radius;
   if (s.nose == Nose::ogival) {
