@@ -114,8 +114,9 @@ std::optional<T> next_velocity(const std::vector<TriedShot<T>> &tried, std::type
     return outward(*b.highest_stopped, true, static_cast<std::ptrdiff_t>(tried.size()), round_to);
   if (!b.highest_stopped) {
     if (*b.lowest_perforated <= least_velocity<T>) return std::nullopt;
-    if (expected && *expected<*b.lowest_perforated && * expected - width / 2> least_velocity<T>)
-      return rounded(*expected - width / 2, width, round_to);
+    const T below = expected.value_or(*b.lowest_perforated) - width / 2;
+    if (expected && *b.lowest_perforated > *expected && below > least_velocity<T>)
+      return rounded(below, width, round_to);
     return outward(*b.lowest_perforated, false, perforated, round_to);
   }
   const T low = *b.highest_stopped, high = *b.lowest_perforated, gap = high - low;
