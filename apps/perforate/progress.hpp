@@ -18,7 +18,7 @@ struct Progress {
   double cpu_before_s = 0; ///< processor time of the run before this part of it
   bool terminal = isatty(STDERR_FILENO) != 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::clock_t cpu_start = std::clock(); ///< a search for a limit runs many shots in one process
+  std::clock_t cpu_start = std::clock(); ///< of the process, which may have run other shots before
   double last_shown_s = -1e9;
 };
 

@@ -106,6 +106,12 @@ TEST_CASE("a rounded edge takes its volume off the mesh and leaves the rest of i
   }
   shape.edge_radius = 2e-3;
   CHECK(contains(setup_error_of([&] { projectile_mesh(shape, spacing, Extent::quarter); }), "edge radius (m) = 0.002"));
+  // With one hex along the axis the second station is the tail.
+  shape.shank_length = 4e-3;
+  CHECK_NOTHROW(projectile_mesh(shape, 1e-3, Extent::quarter));
+  CHECK(contains(setup_error_of([&] { projectile_mesh(shape, 4e-3, Extent::quarter); }),
+                 "if the projectile is one hex long"));
+  shape.shank_length = 80e-3;
   shape.edge_radius = 3e-3;
   CHECK(contains(setup_error_of([&] { projectile_mesh(shape, 2e-3, Extent::quarter); }), "an eighth of the diameter"));
   auto cone = paper_projectile<double>(Nose::conical);

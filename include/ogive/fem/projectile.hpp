@@ -102,8 +102,8 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
   for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(shoulder + shank[k]);
   n.along = static_cast<Index>(stations.size()) - 1;
   const T cut = edge_cut(shape);
-  require(cut <= stations[1], "edge radius (m)", shape.edge_radius,
-          "must be at most twice the particle distance: one facet rounds the edge");
+  require(cut <= (n.along > 1 ? stations[1] : T(0)), "edge radius (m)", shape.edge_radius,
+          "must be at most twice the particle distance, and 0 if the projectile is one hex long: one facet rounds it");
 
   const CoreOutline<T> core =
       wraps ? CoreOutline<T>{T(0.52), T(0.73), T(0.80)} : CoreOutline<T>{T(0.62), T(0.78), T(1)};

@@ -127,8 +127,8 @@ template <class T> T radius_at(const ProjectileShape<T> &s, T z) {
 /// Volume that a rounded edge lacks against a sharp one, over pi, m3: the integral of R^2 - radius_at(z)^2.
 template <class T> T edge_loss(const ProjectileShape<T> &s) {
   constexpr T pi = std::numbers::pi_v<T>;
-  const T r = s.edge_radius, radius = s.diameter / T(2), inner = radius - r;
-  return r * (radius * radius - inner * inner) - inner * r * r * pi / T(2) - T(2) / T(3) * r * r * r;
+  const T r = s.edge_radius, radius = s.diameter / T(2);
+  return r * r * ((T(2) - pi / T(2)) * radius - (T(5) / T(3) - pi / T(2)) * r);
 }
 
 /// Analytic volume, m3.
