@@ -10,7 +10,7 @@
 #               THICKNESSES="6 12": these plates, SIZES=0.8: this size
 #   dishing     what is left of the dishing of a plate that holds
 #   cost        against the paper's method, of the shots on the page of results
-#   timing      one shot for each plate and nose, both methods one after the other
+#   timing      one shot for each plate and nose, with the paper's method and METHOD one after the other
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=${1:-$here/../vtk_out/beyond}
@@ -290,27 +290,30 @@ cost_tables() {
   cost_table stabilised
 }
 
-timing_table() {
-  echo 'Processor time of one shot with either method, one after the other, one thread, modified law, 0.6 mm:'
+timing_table() { # METHOD=stabilised: of that method
+  local method=${METHOD:-adaptive}
+  echo "Processor time of one shot with either method, one after the other, one thread, modified law, 0.6 mm:"
   echo
-  echo "| nose | plate | initial, m/s | the paper's method, s | adaptive, s | ratio |"
+  echo "| nose | plate | initial, m/s | the paper's method, s | $method, s | ratio |"
   echo '|---|---|---|---|---|---|'
-  local nose thickness v method name
+  local nose thickness v material name way
   for name in blunt:6:200 blunt:8:215 blunt:10:230 blunt:12:244.2 blunt:16:305 blunt:20:350 conical:12:355.6 \
-    ogival:12:355.6; do
-    IFS=: read -r nose thickness v <<< "$name"
-    for method in sfm adaptive; do
-      shoot "timing_${method}_${nose}_${thickness}mm_$v" --method "$method" --model mjc --nose "$nose" --threads 1 \
+    ogival:12:355.6 conical:15:270:aa5083_h116; do
+    IFS=: read -r nose thickness v material <<< "$name"
+    material=${material:-weldox_460e}
+    name=${nose}_${material}_${thickness}mm_$v
+    for way in sfm "$method"; do
+      shoot "timing_${way}_$name" --method "$way" --model mjc --material "$material" --nose "$nose" --threads 1 \
         --thickness-mm "$thickness" --velocity-mps "$v" --spacing-mm 0.6 --no-picture
     done
-    [ -e "$folder/timing_adaptive_${nose}_${thickness}mm_$v/summary.json" ] || continue
-    echo "$nose,$thickness,$v,$(value "timing_sfm_${nose}_${thickness}mm_$v" cpu_s),$(value "timing_adaptive_${nose}_${thickness}mm_$v" cpu_s)"
+    [ -e "$folder/timing_${method}_$name/summary.json" ] || continue
+    echo "$nose,$thickness mm $material,$v,$(value "timing_sfm_$name" cpu_s),$(value "timing_${method}_$name" cpu_s)"
   done | awk -F, '
-    function row(nose, plate, v, sfm, adaptive) {
-      printf "| %s | %s | %s | %.0f | %.0f | %.2f |\n", nose, plate, v, sfm, adaptive, adaptive / sfm
+    function row(nose, plate, v, sfm, other) {
+      printf "| %s | %s | %s | %.0f | %.0f | %.2f |\n", nose, plate, v, sfm, other, other / sfm
     }
-    { row($1, $2 " mm", $3, $4, $5); sfm += $4; adaptive += $5 }
-    END { if (NR > 0) row("all", "", "", sfm, adaptive) }'
+    { row($1, $2, $3, $4, $5); sfm += $4; other += $5 }
+    END { if (NR > 0) row("all", "", "", sfm, other) }'
 }
 
 # all_tables table...: with empty lines between them
@@ -339,6 +342,8 @@ case ${PART:-all} in
     METHOD=stabilised mesh_tables
     echo
     all_tables dishing_table cost_tables timing_table
+    echo
+    METHOD=stabilised timing_table
     ;;
   *)
     echo "beyond: error: PART = $PART: must be limits, stabilised, adaptive, damage, mesh, dishing, cost, timing or all" >&2
