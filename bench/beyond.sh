@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# beyond.sh [folder]: prints the tables of docs/beyond.md, in Markdown, and runs the shots behind them that the folder
-# does not hold yet; READ_ONLY=1 runs none. PART names one of them:
+# beyond.sh [--insert] [folder]: prints the tables of docs/beyond.md, in Markdown, and runs the shots behind them that the
+# folder does not hold yet; READ_ONLY=1 runs none. --insert puts those of one PART there too, without rows whose shots the
+# folder lacks. PART names one of them:
 #   limits      against the tests, all methods, and residual velocities: of the page of results
 #   stabilised  what the parameters of --method stabilised do at 12 and 6 mm
 #   adaptive    shots with --method adaptive
@@ -13,6 +14,19 @@
 #   timing      one shot for each plate and nose, with the paper's method and METHOD one after the other
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+if [ "${1:-}" = --insert ]; then
+  shift
+  if [ "${PART:-all}" = all ]; then
+    echo 'beyond: error: PART = all: must name one part with --insert' >&2
+    exit 2
+  fi
+  tables=$(mktemp)
+  trap 'rm -f "$tables"' EXIT
+  "$here/beyond.sh" "$@" | tee "$tables"
+  "$here/../scripts/insert_tables.py" "$here/../docs/beyond.md" \
+    --mark "tables: ${METHOD:+METHOD=$METHOD }PART=$PART bench/beyond.sh" < "$tables"
+  exit
+fi
 folder=${1:-$here/../vtk_out/beyond}
 source "$here/shots.sh"
 

@@ -16,21 +16,6 @@ fi
 export GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}"
 
 tables=$(mktemp)
-trap 'rm -f "$tables" "$tables.page"' EXIT
+trap 'rm -f "$tables"' EXIT
 "${BENCH_STEP:-$root/build/release/bench/bench_step}" "$@" | tee "$tables"
-[ -n "$insert" ] || exit 0
-
-# The tables stand between two lines that say so.
-page=$root/docs/performance.md
-awk -v tables="$tables" '
-  /^<!-- tables: bench\/performance.sh -->$/ {
-    print
-    inside = !inside
-    if (!inside) next
-    print ""
-    while ((getline line < tables) > 0) print line
-    print ""
-    next
-  }
-  !inside' "$page" > "$tables.page"
-cp "$tables.page" "$page"
+[ -z "$insert" ] || "$root/scripts/insert_tables.py" "$root/docs/performance.md" --mark 'tables: bench/performance.sh' < "$tables"

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results.hpp"
 
+#include "shared/exit_status.hpp"
 #include "shared/out_folder.hpp"
-
-#include "ogive/io/write_error.hpp"
 
 #include <cstdio>
 #include <iostream>
 
 namespace {
-
-enum ExitStatus { success = 0, failure = 1, bad_input = 2, cannot_write = 3 };
 
 /// Tables and pictures of all curves are smaller.
 constexpr double estimated_bytes = 50e6;
@@ -18,7 +15,7 @@ constexpr double estimated_bytes = 50e6;
 int run(int argc, const char *const *argv) {
   using namespace calibrate;
   const auto options = parse(argc, argv, std::cout);
-  if (!options) return success;
+  if (!options) return input::success;
   std::vector<std::string> messages;
   auto curves = read_tables(*options, messages);
   const auto created = input::prepare_out(options->out, estimated_bytes);
@@ -36,24 +33,11 @@ int run(int argc, const char *const *argv) {
   print_table(*options, results);
   for (const std::string &left_out : {no_material, no_plot})
     if (!left_out.empty()) std::fprintf(stderr, "calibrate: left out: %s\n", left_out.c_str());
-  return success;
-}
-
-int report(const std::exception &error, ExitStatus status) {
-  std::fprintf(stderr, "calibrate: error: %s\n", error.what());
-  return status;
+  return input::success;
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-  try {
-    return run(argc, argv);
-  } catch (const ogive::SetupError &error) {
-    return report(error, bad_input);
-  } catch (const ogive::WriteError &error) {
-    return report(error, cannot_write);
-  } catch (const std::exception &error) {
-    return report(error, failure);
-  }
+  return input::told_errors("calibrate", [&] { return run(argc, argv); });
 }

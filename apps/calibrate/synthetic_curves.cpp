@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared/command_line.hpp"
+#include "shared/exit_status.hpp"
 
 #include "ogive/fit/adiabatic_curve.hpp"
 #include "ogive/io/atomic_file.hpp"
@@ -114,7 +115,7 @@ int run(int argc, const char *const *argv) {
     std::printf("synthetic_curves --out FILE.csv [--material NAME] [--noise-percent X] [--seed N]\n"
                 "Writes tensile curves computed from a published Johnson-Cook fit, as an example for calibrate.\n"
                 "NAME: weldox_460e (default), aa5083_h116; X: 1; N: 1\n");
-    return 0;
+    return input::success;
   }
   Wish wish;
   for (const auto &given : line.given)
@@ -135,19 +136,11 @@ int run(int argc, const char *const *argv) {
                                             "Clausen, Boervik, Hopperstad & Benallal 2004 (quoted)"));
   else
     input::refuse("--material", wish.material, "must be " + materials);
-  return 0;
+  return input::success;
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-  try {
-    return run(argc, argv);
-  } catch (const ogive::SetupError &error) {
-    std::fprintf(stderr, "synthetic_curves: error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception &error) {
-    std::fprintf(stderr, "synthetic_curves: error: %s\n", error.what());
-    return 3;
-  }
+  return input::told_errors("synthetic_curves", [&] { return run(argc, argv); });
 }

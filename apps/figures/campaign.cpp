@@ -6,6 +6,7 @@
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/version.hpp"
 #include "shared/command_line.hpp"
+#include "shared/exit_status.hpp"
 #include "shared/experiment.hpp"
 #include "shared/out_folder.hpp"
 
@@ -26,8 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using input::Given;
 using input::refuse;
-
-enum ExitStatus { success = 0, failure = 1, bad_input = 2, shots_failed = 3 };
+using input::success;
 
 constexpr input::Limits spacing_limits{0.05, 5, "mm"};
 
@@ -221,7 +221,7 @@ int run(const Campaign &campaign, const Options &o) {
     std::raise(signal);
   }
   if (o.shards == 1) draw(campaign, o, series_known(campaign, o));
-  return outcome.failed.empty() ? success : shots_failed;
+  return outcome.failed.empty() ? success : input::not_finished;
 }
 
 } // namespace
@@ -286,20 +286,10 @@ std::vector<SeriesKey> series_in(const std::vector<ListedShot> &shots) {
 }
 
 int run_campaign(const Campaign &campaign, int argc, const char *const *argv) {
-  const auto fail = [&](const std::exception &error, int status) {
-    std::fprintf(stderr, "%s: error: %s\n", campaign.name.c_str(), error.what());
-    return status;
-  };
-  try {
+  return input::told_errors(campaign.name.c_str(), [&]() -> int {
     const auto options = parse(campaign, argc, argv);
     return options ? run(campaign, *options) : success;
-  } catch (const ogive::SetupError &error) {
-    return fail(error, bad_input);
-  } catch (const ogive::WriteError &error) {
-    return fail(error, shots_failed);
-  } catch (const std::exception &error) {
-    return fail(error, failure);
-  }
+  });
 }
 
 } // namespace figures

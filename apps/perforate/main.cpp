@@ -3,9 +3,6 @@
 #include "mesh.hpp"
 #include "run_case.hpp"
 
-#include "ogive/io/write_error.hpp"
-
-#include <cstdio>
 #include <iostream>
 #include <string_view>
 
@@ -24,16 +21,5 @@ int run(int argc, const char *const *argv) {
 } // namespace
 
 int main(int argc, char **argv) {
-  try {
-    return run(argc, argv);
-  } catch (const ogive::SetupError &error) {
-    std::fprintf(stderr, "perforate: error: %s\n", error.what());
-    return perforate::bad_input;
-  } catch (const ogive::WriteError &error) {
-    std::fprintf(stderr, "perforate: error: %s\n", error.what());
-    return perforate::stopped_by_fault;
-  } catch (const std::exception &error) {
-    std::fprintf(stderr, "perforate: error: %s\n", error.what());
-    return perforate::failure;
-  }
+  return input::told_errors("perforate", [&] { return run(argc, argv); });
 }

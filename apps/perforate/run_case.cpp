@@ -52,7 +52,7 @@ Outcome run_case(const Options &options, const char *program, Telling telling) {
   } catch (const ogive::WriteError &error) {
     std::fprintf(stderr, "perforate: error: %s\n", error.what());
     print_restart(program, options);
-    outcome.status = stopped_by_fault;
+    outcome.status = not_finished;
     return outcome;
   }
   if (shot.interrupted_by != 0) {
@@ -70,7 +70,7 @@ Outcome run_case(const Options &options, const char *program, Telling telling) {
   if (!shot.fault) return outcome;
   std::fprintf(stderr, "perforate: stopped at %.3f us: %s (%s %d)\n", shot.fault->time_us, shot.fault->what.c_str(),
                shot.fault->body.c_str(), shot.fault->id);
-  outcome.status = stopped_by_fault;
+  outcome.status = not_finished;
   return outcome;
 }
 

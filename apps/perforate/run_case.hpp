@@ -3,13 +3,18 @@
 
 #include "shot.hpp"
 
+#include "shared/exit_status.hpp"
+
 /// \file
 /// One case from its options to its results, as the program runs it.
 
 namespace perforate {
 
-/// What the program ends with; 128 and the number of the signal if one interrupted it.
-enum ExitStatus { success = 0, failure = 1, bad_input = 2, stopped_by_fault = 3, interrupted = 128 };
+using input::not_finished;
+using input::success;
+
+/// The exit status of a run that a signal interrupted, less the number of the signal.
+constexpr int interrupted = 128;
 
 /// How much of a run is printed and drawn.
 enum class Telling {
