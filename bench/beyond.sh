@@ -180,10 +180,12 @@ adaptive_tables() {
 # limit thickness name [option]...: the middle of the bracket, m/s; hexes (METHOD=stabilised: particles) of 1.2 mm unless
 # an option says otherwise
 limit() {
-  local out=$folder/limit_${METHOD:+${METHOD}_}$1mm_$2
+  local out=$folder/limit_${METHOD:+${METHOD}_}$1mm_$2 guess
+  guess=$(limit_of_page "$1")
+  guess=${guess:-$((80 + 9 * $1))}
   if [ ! -e "$out/limit_fit.csv" ] && [ -z "${READ_ONLY:-}" ]; then
     "$root/scripts/with_display.sh" "${PERFORATE:-$root/build/release/apps/perforate}" limit --method "${METHOD:-adaptive}" --quiet --no-vtk \
-      --no-picture --spacing-mm 1.2 --thickness-mm "$1" --velocity-mps $((80 + 9 * $1)) --out "$out" "${@:3}" \
+      --no-picture --spacing-mm 1.2 --thickness-mm "$1" --velocity-mps "$guess" --out "$out" "${@:3}" \
       > "$out.log" 2>&1 || echo "$out ended with status $?: see $out.log" >&2
   fi
   sed -nE 's/^  limit by bisection +([0-9.]+) .*/\1/p' "$out.log" 2> /dev/null || true # no log: no row
