@@ -39,5 +39,5 @@ int run(int argc, const char *const *argv) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return input::told_errors("calibrate", [&] { return run(argc, argv); });
+  return input::run_main("calibrate", [&] { return run(argc, argv); });
 }

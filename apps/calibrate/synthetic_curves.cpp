@@ -142,5 +142,5 @@ int run(int argc, const char *const *argv) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return input::told_errors("synthetic_curves", [&] { return run(argc, argv); });
+  return input::run_main("synthetic_curves", [&] { return run(argc, argv); });
 }

@@ -286,7 +286,7 @@ std::vector<SeriesKey> series_in(const std::vector<ListedShot> &shots) {
 }
 
 int run_campaign(const Campaign &campaign, int argc, const char *const *argv) {
-  return input::told_errors(campaign.name.c_str(), [&]() -> int {
+  return input::run_main(campaign.name.c_str(), [&]() -> int {
     const auto options = parse(campaign, argc, argv);
     return options ? run(campaign, *options) : success;
   });

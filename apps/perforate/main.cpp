@@ -21,5 +21,5 @@ int run(int argc, const char *const *argv) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return input::told_errors("perforate", [&] { return run(argc, argv); });
+  return input::run_main("perforate", [&] { return run(argc, argv); });
 }

@@ -20,5 +20,5 @@ int run(int argc, const char *const *argv) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return input::told_errors("section", [&] { return run(argc, argv); });
+  return input::run_main("section", [&] { return run(argc, argv); });
 }

@@ -14,7 +14,7 @@ namespace input {
 enum ExitStatus { success = 0, failure = 1, bad_input = 2, not_finished = 3 };
 
 /// The status of run(); where it throws, one line on standard error that begins with the program's name.
-template <class Run> int told_errors(const char *program, Run &&run) {
+template <class Run> int run_main(const char *program, Run &&run) {
   const auto told = [&](const std::exception &error, ExitStatus status) {
     std::fprintf(stderr, "%s: error: %s\n", program, error.what());
     return status;
