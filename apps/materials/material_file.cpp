@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material_file.hpp"
+
+#include "material_keys.hpp"
+#include "options/toml_file.hpp"
+
+#include <unordered_set>
+#include <vector>
+
+namespace material_file {
+
+namespace {
+
+using options::Given;
+using options::printable;
+
+/// A name is a title in pictures and tables.
+constexpr std::size_t longest_name = 80, longest_source = 2000;
+
+const Given *find(const std::vector<Given> &entries, std::string_view key) {
+  for (const Given &given : entries)
+    if (given.key == key) return &given;
+  return nullptr;
+}
+
+/// Keys of a file that do not fit its model.
+struct Misfits {
+  std::vector<std::string> missing, superfluous;
+};
+
+template <class M> Misfits find_misfits(const M &metal, const std::vector<Given> &entries) {
+  const auto group_is_given = [&](Group group) {
+    bool any = group == Group::always;
+    for_each_key(metal, [&](const Key &key, const auto &) {
+      any = any || (key.group == group && find(entries, key.name) != nullptr);
+    });
+    return any;
+  };
+  Misfits misfits;
+  for_each_key(metal, [&](const Key &key, const auto &) {
+    if (key.required && group_is_given(key.group) && find(entries, key.name) == nullptr)
+      misfits.missing.emplace_back(key.name);
+  });
+  for (const Given &given : entries) {
+    bool known = false;
+    for_each_key(metal, [&](const Key &key, const auto &) { known = known || given.key == key.name; });
+    if (!known) misfits.superfluous.push_back(given.key);
+  }
+  return misfits;
+}
+
+/// What two lists have in common, in the order of the first.
+std::vector<std::string> common(const std::vector<std::string> &a, const std::vector<std::string> &b) {
+  const std::unordered_set<std::string> in_b(b.begin(), b.end());
+  std::vector<std::string> both;
+  for (const std::string &name : a)
+    if (in_b.contains(name)) both.push_back(name);
+  return both;
+}
+
+std::string joined(const std::vector<std::string> &names) {
+  constexpr std::size_t most = 40;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i == 0 ? "" : ", ") + printable(names[i]);
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
+}
+
+/// "lacks a, b and does not know n, m"
+std::string text_of(const Misfits &misfits) {
+  std::string text;
+  if (!misfits.missing.empty()) text += "lacks " + joined(misfits.missing);
+  if (!misfits.superfluous.empty())
+    text += (text.empty() ? "" : " and ") + std::string("does not know ") + joined(misfits.superfluous);
+  return text;
+}
+
+/// "its keys are ...; optional are ..., with + between those that belong together"
+template <class M> std::string keys_of(const M &metal) {
+  std::string needed, optional;
+  Group last = Group::always;
+  for_each_key(metal, [&](const Key &key, const auto &) {
+    if (key.group == Group::always && key.required) {
+      needed += (needed.empty() ? "" : ", ") + std::string(key.name);
+    } else {
+      const bool belongs = key.group != Group::always && key.group == last;
+      optional += (optional.empty() ? "" : belongs ? " + " : ", ") + std::string(key.name);
+      last = key.group;
+    }
+  });
+  return "its keys are " + needed + "; optional are " + optional + ", with + between those that belong together";
+}
+
+/// Refuses a file without a model: names what either model would miss or not know.
+[[noreturn]] void refuse_without_model(const std::vector<Given> &entries, const std::string &file) {
+  const Misfits mjc = find_misfits(std::variant_alternative_t<0, AnyMetal>{}, entries);
+  const Misfits jc = find_misfits(std::variant_alternative_t<1, AnyMetal>{}, entries);
+  const Misfits either{common(mjc.missing, jc.missing), common(mjc.superfluous, jc.superfluous)};
+  throw ogive::SetupError(printable(file) + ": " + text_of(either) + "; model must be one of " +
+                          options::names_in(models) + " and decides which keys there are");
+}
+
+void assign(const Key &key, double &value, const Given &given) {
+  options::number_within(given, key.limits);
+  // A zero added makes 0 of -0, which TOML has for real numbers only.
+  value = *options::number_from(given.value, key.power) + 0.0;
+}
+
+void assign(const Key &key, std::string &value, const Given &given) {
+  const std::size_t longest = key.required ? longest_name : longest_source;
+  const std::string allowed = "text of at most " + std::to_string(longest) + " characters";
+  value = options::line_given(given, allowed);
+  if (value.size() > longest) refuse(given, "must be " + allowed);
+}
+
+void assign(const Key &, ogive::RateFactor &value, const Given &given) {
+  value = options::choice_given(given, rate_factors);
+}
+
+/// The model has chosen the type already.
+void assign(const Key &, const Model &, const Given &) {}
+
+/// Checks what belongs together, the constants of damage as if they were used.
+template <class M> void check_all(M metal, const std::vector<Given> &entries, const std::string &file) {
+  if (!(metal.flow.A + metal.flow.B > 0)) refuse(*find(entries, "A_MPa"), "A_MPa or B_MPa must be positive");
+  if (!(metal.melting_temperature > metal.room_temperature))
+    refuse(*find(entries, "melting_temperature_K"), "must lie above room_temperature_K");
+  if (const Given *D1 = find(entries, "D1"))
+    if (!(metal.damage.failure_strain.D1 > 0 || metal.damage.failure_strain.D2 > 0))
+      refuse(*D1, "D1 or D2 must be positive");
+  try {
+    check(metal);
+  } catch (const ogive::SetupError &error) {
+    throw ogive::SetupError(printable(file) + ": " + error.what());
+  }
+}
+
+template <class M> M metal_from(const std::vector<Given> &entries, const std::string &file) {
+  M metal;
+  const Misfits misfits = find_misfits(metal, entries);
+  if (!misfits.missing.empty() || !misfits.superfluous.empty())
+    throw ogive::SetupError(printable(file) + ": model \"" + name_of(model_of(metal.flow)) + "\" " + text_of(misfits) +
+                            "; " + keys_of(metal));
+  for_each_key(metal, [&](const Key &key, auto &value) {
+    if (const Given *given = find(entries, key.name)) assign(key, value, *given);
+  });
+  metal.flow.room = metal.room_temperature;
+  metal.flow.melting = metal.melting_temperature;
+  check_all(metal, entries, file);
+  return metal;
+}
+
+std::string toml_value(const Key &key, double value) { return text_of(key, value); }
+template <class V> std::string toml_value(const Key &key, const V &value) {
+  return options::toml_string(text_of(key, value));
+}
+
+/// Text on lines of a comment.
+std::string commented(const std::string &text) {
+  std::string lines = "# ";
+  for (const char c : text)
+    if (c == '\n')
+      lines += "\n# ";
+    else
+      lines += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  return text.empty() ? "" : lines + "\n";
+}
+
+} // namespace
+
+AnyMetal read(const std::filesystem::path &file, const std::string &what) {
+  return parse(options::text_of_file(file, what), file.string());
+}
+
+AnyMetal parse(std::string_view text, const std::string &file) {
+  const auto entries = options::toml_entries(text, file, "A_MPa = 503.0");
+  const Given *model = find(entries, "model");
+  if (model == nullptr) refuse_without_model(entries, file);
+  if (options::choice_given(*model, models) == Model::mjc)
+    return metal_from<std::variant_alternative_t<0, AnyMetal>>(entries, file);
+  return metal_from<std::variant_alternative_t<1, AnyMetal>>(entries, file);
+}
+
+std::string to_toml(const AnyMetal &any, const std::string &comment) {
+  std::string text = commented(comment);
+  std::visit(
+      [&](const auto &metal) {
+        for_each_key(metal, [&](const Key &key, const auto &value) {
+          if (!has(metal, key.group)) return;
+          if (!key.required && text_of(key, value).empty()) return;
+          std::string line = std::string(key.name) + " = " + toml_value(key, value);
+          if (*key.meaning != 0) {
+            line.resize(std::max<std::size_t>(line.size() + 1, 40), ' ');
+            line += std::string("# ") + key.meaning;
+          }
+          text += line + "\n";
+        });
+      },
+      any);
+  return text;
+}
+
+Model model_of(const AnyMetal &any) {
+  return std::visit([](const auto &metal) { return model_of(metal.flow); }, any);
+}
+
+std::string name_of(Model model) { return options::name_in(models, model); }
+
+const std::string &name_of(const AnyMetal &any) {
+  return std::visit([](const auto &metal) -> const std::string & { return metal.name; }, any);
+}
+
+} // namespace material_file

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/material/johnson_cook.hpp"
+#include "ogive/material/metal.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+
+/// \file
+/// A metal in a flat TOML file, every constant with its unit in the key (the table is in material_keys.hpp).
+
+namespace material_file {
+
+/// The flow laws that a file can have.
+enum class Model { mjc, jc };
+
+/// A metal with either law.
+using AnyMetal = std::variant<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>,
+                              ogive::Metal<double, ogive::JohnsonCook<double>>>;
+
+/// The metal in a file. Damage is off whatever constants of it there are: the run chooses. Throws SetupError, one line:
+/// all keys that are missing or superfluous, or file, line, key, value and what is allowed; "<what> = <file>: ..." if
+/// the file cannot be read or is larger than 1 MiB.
+AnyMetal read(const std::filesystem::path &file, const std::string &what = "material");
+
+/// The same from text; `file` is its name in errors.
+AnyMetal parse(std::string_view text, const std::string &file);
+
+/// A file that reads back as the same metal, to the last bit, with a comment (of any number of lines) on top. Damage
+/// and equation of state are written as constants, not what is chosen of them.
+std::string to_toml(const AnyMetal &metal, const std::string &comment);
+
+/// Its flow law.
+Model model_of(const AnyMetal &metal);
+
+/// Its name in a file.
+std::string name_of(Model model);
+
+/// The name of the metal.
+const std::string &name_of(const AnyMetal &metal);
+
+} // namespace material_file

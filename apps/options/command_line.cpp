@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+
+#include "nearest.hpp"
+#include "ogive/version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <ostream>
+
+namespace options {
+
+namespace {
+
+std::vector<std::string> flags_of(const Option &option) {
+  std::vector<std::string> flags{flag_of(option.key)};
+  if (*option.alias != 0) flags.push_back(flag_of(option.alias));
+  return flags;
+}
+
+/// CLI11 would take a following flag as the value.
+void require_values(const Table &table, const Arguments &arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    for (const Option &option : table.options)
+      for (const std::string &flag : flags_of(option)) {
+        const bool last = i + 1 == arguments.size() || arguments[i + 1].empty() || arguments[i + 1].starts_with("--");
+        if (arguments[i] == flag + "=" || (arguments[i] == flag && option.values != Values::none && last))
+          throw ogive::SetupError(printable(flag) + ": needs a value: " + option.allowed_text);
+      }
+}
+
+[[noreturn]] void refuse_extra(const Command &command, const Table &table, const std::string &extra) {
+  const std::string help = "; " + command.name + " --help-all lists what is allowed";
+  if (!extra.starts_with("-")) throw ogive::SetupError(printable(extra) + ": unexpected argument" + help);
+  std::vector<std::string> known{"--help", "--help-all", "--version"};
+  if (command.config) known.emplace_back("--config");
+  for (const Option &option : table.options)
+    for (const std::string &flag : flags_of(option)) known.push_back(flag);
+  const std::string flag = extra.substr(0, extra.find('='));
+  throw ogive::SetupError(printable(flag) + ": unknown option" + nearest_text(flag, known) + help);
+}
+
+} // namespace
+
+const Given *CommandLine::find(std::string_view key) const {
+  const auto found = std::find_if(given.rbegin(), given.rend(), [&](const Given &g) { return g.key == key; });
+  return found == given.rend() ? nullptr : &*found;
+}
+
+std::optional<CommandLine> read_command_line(const Command &command, const Table &original, const Arguments &all,
+                                             std::ostream &text) {
+  CommandLine line;
+  Table table = original;
+  if (command.config)
+    add(table, line.config, {.key = "config", .allowed = "the name of a TOML file", .in_file = false});
+
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  const auto *help_flag = app.add_flag("--help,-h"), *help_all_flag = app.add_flag("--help-all");
+  const auto *version_flag = app.add_flag("--version");
+  // CLI11 takes the command line apart; values are checked later, where the limits are known.
+  std::vector<const CLI::Option *> options;
+  for (const Option &option : table.options) {
+    const auto flags = flags_of(option);
+    const std::string names = flags.front() + (flags.size() > 1 ? "," + flags.back() : "");
+    if (option.values == Values::none)
+      options.push_back(app.add_flag(names + ",!--no-" + flags.front().substr(2)));
+    else if (option.values == Values::one)
+      options.push_back(app.add_option(names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast));
+    else
+      options.push_back(app.add_option(names)->expected(-1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+  }
+  require_values(table, all);
+  try {
+    app.parse(Arguments(all.rbegin(), all.rend()));
+  } catch (const CLI::ParseError &error) {
+    throw ogive::SetupError(printable(error.what()));
+  }
+
+  if (version_flag->count() > 0)
+    text << command.name << " " << ogive::version << "\n";
+  else if (help_flag->count() + help_all_flag->count() > 0)
+    text << help(command, table, help_all_flag->count() > 0);
+  if (version_flag->count() + help_flag->count() + help_all_flag->count() > 0) return std::nullopt;
+
+  for (const auto &extra : app.remaining()) {
+    if (command.positional.empty() || extra.starts_with("-")) refuse_extra(command, table, extra);
+    line.given.push_back({command.positional, command.positional, extra});
+  }
+  for (std::size_t k = 0; k < table.options.size(); ++k) {
+    if (options[k]->count() == 0) continue;
+    const Option &option = table.options[k];
+    const auto &values = options[k]->results();
+    const std::size_t first = option.values == Values::several ? 0 : values.size() - 1;
+    for (std::size_t v = first; v < values.size(); ++v) {
+      const Given given{option.key, flag_of(option.key), values[v]};
+      if (given.key == std::string_view("config") && command.config)
+        option.assign(given);
+      else
+        line.given.push_back(given);
+    }
+  }
+  return line;
+}
+
+std::string help_item(const std::string &flag, const std::string &text) {
+  constexpr std::size_t text_column = 34;
+  std::string start = "  " + flag;
+  if (start.size() >= text_column)
+    start += "\n" + std::string(text_column, ' ');
+  else
+    start.resize(text_column, ' ');
+  return broken(start, text, text_column);
+}
+
+std::string help(const Command &command, const Table &table, bool all) {
+  std::string text = command.name + (command.usage.empty() ? "" : " " + command.usage) + "\n" + command.purpose;
+  if (all) text += "In brackets: the default, and its source.\n";
+  std::string group = "\n";
+  const auto placed = [](const Option &option) {
+    return flag_of(option.key) + (option.placeholder.empty() ? "" : " " + option.placeholder);
+  };
+  for (const Option &option : table.options) {
+    if (!all && *option.brief == 0) continue;
+    if (group != option.group)
+      text += (all && !option.group.empty()) ? "\n" + option.group + ":\n" : group == "\n" ? "\n" : "";
+    group = option.group;
+    const std::string_view source = option.source;
+    std::string fallback = std::string(source);
+    if (source.find(':') == std::string_view::npos) {
+      const std::string value = option.kind == Kind::file ? "" : shown(option);
+      fallback = value + (value.empty() || source.empty() ? "" : ": ") + std::string(source);
+    }
+    if (all) {
+      text +=
+          help_item(placed(option), option.meaning + option.range + (fallback.empty() ? "" : " [" + fallback + "]"));
+    } else {
+      const std::string first = fallback.substr(0, fallback.find(':'));
+      text += help_item(placed(option), option.brief + (first.empty() || first == "none" ? "" : " [" + first + "]"));
+    }
+  }
+  if (all) {
+    text += "\nGeneral:\n" + help_item("--version", "print the version") +
+            help_item("--help", "print the options that most users need") + help_item("--help-all", "print this text");
+  } else {
+    std::size_t hidden = 0;
+    for (const Option &option : table.options) hidden += *option.brief == 0 ? 1 : 0;
+    if (hidden > 0)
+      text += help_item("--help-all", "all options, " + std::to_string(hidden) + " more, with their sources");
+  }
+  if (!command.examples.empty()) text += "\nExamples:\n" + command.examples;
+  if (all && !command.more.empty()) text += "\n" + command.more;
+  return text;
+}
+
+} // namespace options

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "out_folder.hpp"
+
+#include "given.hpp"
+
+#include "ogive/io/atomic_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace options {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folders of `path` that do not exist yet, the outermost first.
+std::vector<fs::path> missing_folders(const fs::path &path) {
+  std::vector<fs::path> missing;
+  std::error_code ignored;
+  for (fs::path folder = fs::absolute(path).lexically_normal(); !fs::exists(folder, ignored);) {
+    if (folder.has_filename()) missing.insert(missing.begin(), folder);
+    if (folder == folder.parent_path()) break;
+    folder = folder.parent_path();
+  }
+  return missing;
+}
+
+/// Why nothing can be written to the folder; empty if it can.
+std::string obstacle(const fs::path &out, double bytes, const char *hint) {
+  const fs::path probe = ogive::temporary_name(out / ".probe");
+  const int error = ogive::write_and_sync(probe, std::string(4096, ' '));
+  std::error_code ignored;
+  fs::remove(probe, ignored);
+  if (error != 0) return "must be a folder that can be written to: " + std::generic_category().message(error);
+
+  const double free = static_cast<double>(fs::space(out, ignored).available);
+  const auto megabytes = [](double size) { return shortest(std::ceil(size / 1e6)) + " MB"; };
+  if (!ignored && free < bytes)
+    return "needs up to " + megabytes(bytes) + " of free space and has " + megabytes(free) + hint;
+  return "";
+}
+
+} // namespace
+
+std::vector<fs::path> prepare_out(const fs::path &out, double bytes, const char *hint) {
+  std::error_code error;
+  const auto status = fs::status(out, error);
+  if (fs::exists(status) && !fs::is_directory(status))
+    refuse("--out", out.string(), "must be a folder, but a file of that name is there");
+
+  auto created = missing_folders(out);
+  std::string reason;
+  fs::create_directories(out, error);
+  if (error)
+    reason = "must be a folder that can be created: " + error.message();
+  else
+    reason = obstacle(out, bytes, hint);
+  if (reason.empty()) return created;
+  remove_empty(created);
+  refuse("--out", out.string(), reason);
+}
+
+void remove_empty(const std::vector<fs::path> &folders) {
+  std::error_code ignored;
+  std::for_each(folders.rbegin(), folders.rend(), [&](const fs::path &folder) { fs::remove(folder, ignored); });
+}
+
+} // namespace options

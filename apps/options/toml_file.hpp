@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "given.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// \file
+/// Flat TOML files: key = value, one a line.
+
+namespace options {
+
+/// All of a file of at most 1 MiB. Throws SetupError "<what> = <name>: ...".
+std::string text_of_file(const std::filesystem::path &name, const std::string &what);
+
+/// The entries of TOML text, ordered by key. A number's value is the text that stands there. Throws SetupError with
+/// file and line for damaged text; `example` is a line that would be right.
+std::vector<Given> toml_entries(std::string_view text, const std::string &file, const std::string &example);
+
+/// Text as TOML writes it, in quotation marks.
+std::string toml_string(std::string_view text);
+
+} // namespace options
