@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace material_file {
+namespace materials {
 
 namespace {
 
@@ -209,4 +209,4 @@ const std::string &name_of(const AnyMetal &any) {
   return std::visit([](const auto &metal) -> const std::string & { return metal.name; }, any);
 }
 
-} // namespace material_file
+} // namespace materials

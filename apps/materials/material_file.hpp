@@ -12,7 +12,7 @@
 /// \file
 /// A metal in a flat TOML file, every constant with its unit in the key (the table is in material_keys.hpp).
 
-namespace material_file {
+namespace materials {
 
 /// The flow laws that a file can have.
 enum class Model { mjc, jc };
@@ -42,4 +42,4 @@ std::string name_of(Model model);
 /// The name of the metal.
 const std::string &name_of(const AnyMetal &metal);
 
-} // namespace material_file
+} // namespace materials

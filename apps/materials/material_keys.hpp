@@ -10,7 +10,7 @@
 /// The one table of a material file: names, meaning, limits, units and members. Reading, writing, errors and the list
 /// of the library all read it.
 
-namespace material_file {
+namespace materials {
 
 /// Keys that a file has together or not at all.
 enum class Group {
@@ -34,6 +34,8 @@ inline constexpr auto rate_factors = std::to_array<options::Choice<ogive::RateFa
     {{ogive::RateFactor::logarithmic, "logarithmic"}, {ogive::RateFactor::power, "power"}});
 
 inline constexpr auto models = std::to_array<options::Choice<Model>>({{Model::mjc, "mjc"}, {Model::jc, "jc"}});
+
+constexpr auto choices(Model) { return models; }
 
 constexpr Model model_of(const ogive::ModifiedJohnsonCook<double> &) { return Model::mjc; }
 constexpr Model model_of(const ogive::JohnsonCook<double> &) { return Model::jc; }
@@ -128,4 +130,4 @@ inline std::string text_of(const Key &, const std::string &value) { return value
 inline std::string text_of(const Key &, Model value) { return options::name_in(models, value); }
 inline std::string text_of(const Key &, ogive::RateFactor value) { return options::name_in(rate_factors, value); }
 
-} // namespace material_file
+} // namespace materials

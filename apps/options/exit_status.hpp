@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <string>
 
 namespace options {
 
@@ -13,20 +14,21 @@ namespace options {
 /// another end before all is done.
 enum ExitStatus { success = 0, failure = 1, bad_input = 2, not_finished = 3 };
 
-/// The status of run(); where it throws, one line on standard error that begins with the program's name.
-template <class Run> int run_main(const char *program, Run &&run) {
-  const auto told = [&](const std::exception &error, ExitStatus status) {
-    std::fprintf(stderr, "%s: error: %s\n", program, error.what());
+/// The status of run(); where it throws, one line on standard error that begins with the name that the program then
+/// has.
+template <class Run> int run_main(const std::string &program, Run &&run) {
+  const auto reported = [&](const std::exception &error, ExitStatus status) {
+    std::fprintf(stderr, "%s: error: %s\n", program.c_str(), error.what());
     return status;
   };
   try {
     return run();
   } catch (const ogive::SetupError &error) {
-    return told(error, bad_input);
+    return reported(error, bad_input);
   } catch (const ogive::WriteError &error) {
-    return told(error, not_finished);
+    return reported(error, not_finished);
   } catch (const std::exception &error) {
-    return told(error, failure);
+    return reported(error, failure);
   }
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "material_file.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// \file
+/// The metals of the plates that the programs know by name.
+
+namespace materials {
+
+/// A metal of the library.
+struct LibraryMetal {
+  std::string_view name;      ///< as the user writes it
+  std::string_view test_name; ///< in the tables of tests
+  double sharp_friction = 0;  ///< Coulomb, for noses that are not blunt
+  AnyMetal (*make)(Model model);
+};
+
+/// The metal of the library with this name; null if there is none.
+const LibraryMetal *find_library_metal(std::string_view name);
+
+/// The names of the library.
+std::vector<std::string> library_names();
+
+/// True if the user means a file: its name ends in .toml.
+bool is_material_file(std::string_view material);
+
+/// "one of <names>, or a file that ends in .toml"
+std::string allowed_materials();
+
+/// Name of the material in the name of a folder: of a file its stem.
+std::string label_of(const std::string &material);
+
+/// A metal as its constants are, with nothing chosen; one of the library with this flow law. Throws SetupError;
+/// `origin` is the flag, or file, line and key, that names the file.
+AnyMetal find_metal(const std::string &material, Model model, const std::string &origin);
+
+/// The constants and the source of a metal, in lines of at most 100 columns.
+std::string described(const AnyMetal &metal);
+
+/// The same for all metals of the library with both laws, and for the steel of the projectiles.
+std::string library_list();
+
+} // namespace materials

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options/command_line.hpp"
+#include "shot/options.hpp"
+
+#include <optional>
+#include <vector>
+
+/// \file
+/// The subcommands of ogive. Each returns its exit status and throws SetupError for wrong input, before anything is run
+/// or overwritten, and WriteError.
+
+namespace commands {
+
+/// A subcommand: its name, one line of purpose, its main function and its table for completion.
+struct Subcommand {
+  const char *name;
+  const char *purpose;
+  int (*run)(const options::Arguments &arguments);
+  options::Table (*table)();
+};
+
+/// All subcommands in the order of the help.
+const std::vector<Subcommand> &subcommands();
+
+int shoot(const options::Arguments &arguments);
+int limit(const options::Arguments &arguments);
+int sweep(const options::Arguments &arguments);
+int mesh(const options::Arguments &arguments);
+int materials(const options::Arguments &arguments);
+int draw(const options::Arguments &arguments);
+int calibrate(const options::Arguments &arguments);
+
+options::Table shoot_table();
+options::Table limit_table();
+options::Table sweep_table();
+options::Table mesh_table();
+options::Table materials_table();
+options::Table draw_table();
+options::Table calibrate_table();
+
+/// The options of `ogive shoot`; nothing if help or version were asked for and have been written to `text`. Throws
+/// SetupError.
+std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, std::ostream &text);
+
+/// Exit statuses, for --help-all.
+extern const char *const exit_statuses;
+
+} // namespace commands

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+
+#include "completion.hpp"
+#include "ogive/version.hpp"
+#include "options/exit_status.hpp"
+#include "options/nearest.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+namespace commands {
+
+const std::vector<Subcommand> &subcommands() {
+  static const std::vector<Subcommand> all{
+      {"shoot", "shoot at a plate: residual velocity, pictures, files for ParaView", shoot, shoot_table},
+      {"limit", "find a ballistic limit and the curve of the residual velocity", limit, limit_table},
+      {"sweep", "run a list of shots or limits, resumable, several at a time", sweep, sweep_table},
+      {"mesh", "write the model of a shot for ParaView, with the quality of its hexes", mesh, mesh_table},
+      {"calibrate", "fit a metal's flow law to tensile curves", calibrate, calibrate_table},
+      {"draw", "draw sections and curves of results", draw, draw_table},
+      {"materials", "list, show or check metals", materials, materials_table}};
+  return all;
+}
+
+namespace {
+
+std::string help() {
+  std::string text = "ogive COMMAND [options]: perforation of metal plates\n\nCommands:\n";
+  for (const Subcommand &one : subcommands()) text += options::help_item(one.name, one.purpose);
+  return text + "\nExamples:\n"
+                "  ogive shoot\n"
+                "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15\n"
+                "  ogive sweep --vary thickness_mm=6,8,10 --limit --out thickness\n\n"
+                "ogive COMMAND --help lists the options that most users need, --help-all all of them.\n";
+}
+
+int run(const options::Arguments &arguments, std::string &name) {
+  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
+    std::cout << help();
+    return options::success;
+  }
+  if (arguments[0] == "--version") {
+    std::cout << "ogive " << ogive::version << "\n";
+    return options::success;
+  }
+  if (arguments[0] == "completion") {
+    std::cout << bash_completion(subcommands());
+    return options::success;
+  }
+  std::vector<std::string> names;
+  for (const Subcommand &one : subcommands()) {
+    names.emplace_back(one.name);
+    if (arguments[0] != one.name) continue;
+    name += std::string(" ") + one.name;
+    return one.run({arguments.begin() + 1, arguments.end()});
+  }
+  throw ogive::SetupError(options::printable(arguments[0]) + ": unknown command" +
+                          options::nearest_text(arguments[0], names) + "; ogive --help lists all");
+}
+
+} // namespace
+
+} // namespace commands
+
+int main(int argc, char **argv) {
+  std::string name = "ogive";
+  return options::run_main(name, [&] { return commands::run({argv + 1, argv + argc}, name); });
+}

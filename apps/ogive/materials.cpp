@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+
+#include "materials/library.hpp"
+#include "options/exit_status.hpp"
+#include "options/nearest.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace commands {
+
+namespace {
+
+options::Table table_of(std::vector<std::string> &words) {
+  options::Table t;
+  options::add(t, words,
+               {.key = "action",
+                .meaning = "list, show NAME..., or check FILE.toml...",
+                .source = "list: ours",
+                .brief = "list, show NAME... or check FILE.toml...",
+                .allowed = "list, show or check",
+                .in_file = false});
+  return t;
+}
+
+void show(const std::string &name) {
+  using namespace ::materials;
+  if (!is_material_file(name) && find_library_metal(name) == nullptr)
+    throw ogive::SetupError("show = " + options::printable(name) + ": must be " + allowed_materials() +
+                            options::nearest_text(name, library_names()));
+  std::cout << name << "\n";
+  if (is_material_file(name))
+    std::cout << described(read(name, "show"));
+  else
+    for (const Model model : {Model::mjc, Model::jc}) std::cout << described(find_metal(name, model, "show"));
+}
+
+} // namespace
+
+options::Table materials_table() {
+  std::vector<std::string> words;
+  return table_of(words);
+}
+
+int materials(const options::Arguments &arguments) {
+  std::vector<std::string> words;
+  const options::Table table = table_of(words);
+  const options::Command command{
+      .name = "ogive materials",
+      .purpose =
+          "Lists the metals of the library with their constants and sources, shows some of them, or checks files of\n"
+          "your own.\n",
+      .usage = "[list | show NAME... | check FILE.toml...]",
+      .examples = "  ogive materials show weldox_460e\n  ogive materials check my_steel.toml\n",
+      .positional = "action"};
+  const auto line = options::read_command_line(command, table, arguments, std::cout);
+  if (!line) return options::success;
+  options::Origins origins;
+  for (const options::Given &given : line->given) options::apply(table, origins, given);
+  const std::string action = words.empty() ? "list" : words.front();
+  const std::vector<std::string> names(words.begin() + (words.empty() ? 0 : 1), words.end());
+  const std::vector<std::string> actions{"list", "show", "check"};
+  if (std::find(actions.begin(), actions.end(), action) == actions.end())
+    throw ogive::SetupError(options::printable(action) + ": must be list, show or check" +
+                            options::nearest_text(action, actions));
+  if ((action == "list") != names.empty())
+    throw ogive::SetupError(action + (action == "list" ? ": takes no names" : ": needs the names of metals or files"));
+  if (action == "list") std::cout << ::materials::library_list();
+  if (action == "show")
+    for (const std::string &name : names) show(name);
+  if (action == "check")
+    for (const std::string &name : names) {
+      const auto metal = ::materials::read(name, "check");
+      std::cout << name << ": " << ::materials::name_of(metal) << ", model "
+                << ::materials::name_of(::materials::model_of(metal)) << ", is a metal for --material\n";
+    }
+  return options::success;
+}
+
+} // namespace commands

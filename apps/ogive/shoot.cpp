@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+
+#include "options/exit_status.hpp"
+
+#include "shot/resume.hpp"
+#include "shot/run.hpp"
+#include "shot/signals.hpp"
+#include "shot/table.hpp"
+
+#include <iostream>
+
+namespace commands {
+
+const char *const exit_statuses =
+    "Exit status: 0 done; 2 wrong input, nothing was run or overwritten; 3 stopped by a fault in a run\n"
+    "or by a file that could not be written, after a last frame; 130, 143 or 129 interrupted by\n"
+    "SIGINT (Ctrl-C), SIGTERM or SIGHUP, after a checkpoint and a last frame; 1 anything else.\n";
+
+namespace {
+
+/// What `ogive shoot` has besides the options of a case.
+struct General {
+  std::optional<std::string> restart;
+  bool resume = false;
+};
+
+options::Table table_of(shot::Options &o, General &general) {
+  options::Table t = shot::table_of(o);
+  t.group = "General";
+  options::Option &restart =
+      options::add(t, general.restart,
+                   {.key = "restart",
+                    .meaning = "resume from FILE, the checkpoint.bin of a run that was interrupted; the results are "
+                               "bit-identical to those of an uninterrupted run. Only --end-us, --out, "
+                               "--output-every-us, --checkpoint-every-us, --vtk, --picture, --quiet and --threads may "
+                               "be given anew",
+                    .source = "none: begin",
+                    .brief = "resume from the checkpoint of an interrupted run",
+                    .allowed = "the name of a checkpoint file",
+                    .in_file = false});
+  restart.placeholder = "FILE";
+  options::add(t, general.resume,
+               {.key = "resume",
+                .meaning =
+                    "resume from the checkpoint.bin in the folder for the results, if an interrupted run of this "
+                    "very case left one there; else begin",
+                .source = "no: ours",
+                .in_file = false});
+  return t;
+}
+
+} // namespace
+
+options::Table shoot_table() {
+  shot::Options o;
+  General general;
+  return table_of(o, general);
+}
+
+std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, std::ostream &text) {
+  const options::Command command{
+      .name = "ogive shoot",
+      .purpose =
+          "A projectile strikes a clamped metal plate. Prints the residual velocity and writes frames for\n"
+          "ParaView, pictures, summary.json and case.toml. \"paper\" is Liu, Swaddiwudhipong & Islam, Nucl. Eng.\n"
+          "Des. 250 (2012) 108-115; \"tests\" are those that it compares with.\n",
+      .usage = "[options]",
+      .examples = "  ogive shoot --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 250\n"
+                  "  ogive shoot --material my_steel.toml --thickness-mm 10 --method stabilised\n"
+                  "  ogive shoot --config vtk_out/my_case/case.toml --velocity-mps 250 --out faster\n",
+      .more = exit_statuses,
+      .config = true};
+  shot::Options defaults;
+  General general;
+  const options::Table table = table_of(defaults, general);
+  const auto line = options::read_command_line(command, table, arguments, text);
+  if (!line) return std::nullopt;
+  options::Origins origins;
+  std::vector<options::Given> given;
+  for (const options::Given &one : line->given)
+    if (one.key == "restart" || one.key == "resume")
+      options::apply(table, origins, one);
+    else
+      given.push_back(one);
+  if (general.restart) {
+    if (line->config) given.insert(given.begin(), {"config", "--config", *line->config});
+    return shot::restarted(*general.restart, given);
+  }
+  const shot::Options o = shot::settled(shot::levels_of(*line));
+  return general.resume ? shot::resumed(o) : o;
+}
+
+int shoot(const options::Arguments &arguments) {
+  const auto options = parse_shoot(arguments, std::cout);
+  if (!options) return options::success;
+  const shot::SignalCatcher catcher;
+  return shot::run(*options, shot::Output::all).status;
+}
+
+} // namespace commands

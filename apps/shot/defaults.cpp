@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "defaults.hpp"
+
+#include "materials/library.hpp"
+#include "ogive/perforation/method.hpp"
+#include "plates.hpp"
+#include "projectile.hpp"
+#include "table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shot {
+
+namespace {
+
+/// Coulomb friction of the paper: 0 for blunt noses; for the others 0.08 on steel and 0.02 on aluminium. The paper
+/// gives it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the metal of a file is
+/// taken for steel.
+double default_friction(Nose nose, const std::string &material) {
+  if (nose == Nose::blunt) return 0;
+  const materials::LibraryMetal *metal = materials::find_library_metal(material);
+  return metal == nullptr ? 0.08 : metal->sharp_friction;
+}
+
+/// Particle distance for which the constants of damage hold, mm; unset: that of each metal.
+std::optional<double> default_damage_length_mm(Method method, DamageLaw damage) {
+  if (damage == DamageLaw::none || method == Method::sfm) return 0;
+  if (method == Method::stabilised) return std::nullopt;
+  return std::round(ogive::length_of_hex_damage * 1e6) / 1e3;
+}
+
+/// The value of an option in the name of a folder, numbers without the last digits of a conversion; empty for lists,
+/// texts and files, which the name has already.
+std::string label_of(const options::Option &option) {
+  if (option.kind == options::Kind::number) {
+    const auto number = ogive::number_from(option.toml());
+    return number ? options::shortest(std::round(*number * 1e6) / 1e6) : "";
+  }
+  return option.kind == options::Kind::choice ? shown(option) : "";
+}
+
+/// The case of which the folder's name states everything before the differences.
+Options usual(const Options &o) {
+  Options usual;
+  usual.material = o.material;
+  usual.model = o.model;
+  usual.method = o.method;
+  usual.thickness_mm = o.thickness_mm;
+  usual.nose = o.nose;
+  usual.diameter_mm = o.diameter_mm;
+  usual.velocity_mps = o.velocity_mps;
+  usual.obliquity_deg = o.obliquity_deg;
+  usual.damage = o.damage;
+  take_defaults(usual, {{"damage", ""}});
+  usual.damage = default_damage(o.method);
+  usual.nose_length_mm = o.nose_length_mm;
+  usual.length_mm = default_length_mm(usual);
+  usual.nose_length_mm = default_nose_length_mm(usual);
+  return usual;
+}
+
+/// "_key=value" of each option that makes the case another one than the usual.
+std::string differences(Options here) {
+  Options there = usual(here);
+  const auto mine = table_of(here).options, others = table_of(there).options;
+  std::string text;
+  for (std::size_t i = 0; i < mine.size(); ++i)
+    if (mine[i].group != run_group && label_of(mine[i]) != label_of(others[i]))
+      text += "_" + std::string(mine[i].key) + "=" + label_of(mine[i]);
+  return text;
+}
+
+} // namespace
+
+DamageLaw default_damage(Method method) { return method == Method::sfm ? DamageLaw::none : DamageLaw::johnson_cook; }
+
+FailureEffect default_failure(DamageLaw damage) {
+  return damage == DamageLaw::none ? FailureEffect::none : FailureEffect::no_tension;
+}
+
+void take_defaults(Options &o, const options::Origins &origins) {
+  const auto is_open = [&](const char *key) { return !origins.contains(key); };
+  const auto numerics = ogive::options_of<double>(o.method);
+  if (is_open("damage")) o.damage = default_damage(o.method);
+  if (is_open("damage_length_mm")) o.damage_length_mm = default_damage_length_mm(o.method, o.damage);
+  if (o.damage != DamageLaw::none) {
+    if (is_open("damage_softening"))
+      o.damage_softening = o.method == Method::sfm ? 0 : ogive::softening_of_damage(o.method);
+    if (is_open("damage_length_exponent")) o.damage_length_exponent = ogive::length_exponent_of_damage(o.method);
+    if (is_open("damage_length_scope")) o.damage_length_scope = ogive::length_scope_of_damage(o.method);
+    if (is_open("damage_pressure")) o.damage_pressure = numerics.sph.damage_pressure;
+  }
+  if (is_open("control_stiffness")) o.control_stiffness = numerics.sph.control.stiffness;
+  if (is_open("failure")) o.failure = default_failure(o.damage);
+  if (is_open("friction")) o.friction = default_friction(o.nose, o.material);
+  if (is_open("end_us")) o.end_us = o.nose == Nose::blunt ? 500 : 1500;
+}
+
+std::string thickness_label(const Options &o) {
+  if (o.layers_mm.empty()) return options::shortest(o.thickness_mm) + "mm";
+  const bool apart = std::any_of(o.gaps_mm.begin(), o.gaps_mm.end(), [](double gap) { return gap > 0; });
+  const bool equal =
+      apart && std::count(o.gaps_mm.begin(), o.gaps_mm.end(), o.gaps_mm.front()) == std::ssize(o.gaps_mm);
+  return joined(o.layers_mm, "+") + "mm" +
+         (!apart  ? ""
+          : equal ? "_" + options::shortest(o.gaps_mm.front()) + "mm_apart"
+                  : "_" + joined(o.gaps_mm, "+") + "mm_apart");
+}
+
+std::string case_label(const Options &o) {
+  return material_label(o) + "_" + name_of(o.model) + "_" + name_of(o.nose) + "_" +
+         (o.diameter_mm == Options{}.diameter_mm ? "" : options::shortest(o.diameter_mm) + "mm_on_") +
+         thickness_label(o) + (o.velocity_mps < 0 ? "" : "_" + options::shortest(o.velocity_mps) + "mps") +
+         (o.obliquity_deg == 0 ? "" : "_" + options::shortest(o.obliquity_deg) + "deg") +
+         (o.method == Method::sfm ? "" : "_" + name_of(o.method)) + differences(o);
+}
+
+std::filesystem::path default_out(const Options &o) { return std::filesystem::path("vtk_out") / case_label(o); }
+
+} // namespace shot

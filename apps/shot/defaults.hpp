@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.hpp"
+
+#include "options/table.hpp"
+
+namespace shot {
+
+/// Takes what follows from method, nose and material where no value was given: damage and its parameters, bonds,
+/// failure, friction, end of the run.
+void take_defaults(Options &options, const options::Origins &given);
+
+/// The default of --damage: none in the paper's method, else Johnson and Cook's.
+DamageLaw default_damage(Method method);
+
+/// The default of --failure: no tension where damage grows. Our choice.
+FailureEffect default_failure(DamageLaw damage);
+
+/// vtk_out/<case_label>
+std::filesystem::path default_out(const Options &options);
+
+/// <material, or the stem of its file>_<model>_<nose>_<thickness>mm_<velocity>mps, with diameter, obliquity and method
+/// where they are not those of the paper, and "_key=value" of every other option that makes the case another one. A
+/// velocity below 0 is left out.
+std::string case_label(const Options &options);
+
+/// The thicknesses of the plates and the gaps between them, for titles and folders: "12mm"; "6+6mm",
+/// "4+8mm_10mm_apart".
+std::string thickness_label(const Options &options);
+
+} // namespace shot

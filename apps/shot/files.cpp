@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files.hpp"
+
+#include "materials/library.hpp"
+#include "ogive/io/atomic_file.hpp"
+#include "ogive/version.hpp"
+#include "saved_case.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <sys/types.h>
+#include <system_error>
+
+namespace shot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names of the files of the metals: one, or one for each plate.
+std::vector<std::string> material_names(const Options &o) {
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k <= o.layer_materials.size(); ++k)
+    names.push_back("material_" + std::to_string(k) + ".toml");
+  return names.empty() ? std::vector<std::string>{"material.toml"} : names;
+}
+
+const std::vector<std::string> history_columns{"time_us",   "velocity_m_per_s", "nose_depth_mm",       "tail_depth_mm",
+                                               "kinetic_J", "elastic_J",        "plastic_J",           "hourglass_J",
+                                               "viscous_J", "contact_J",        "friction_J",          "external_J",
+                                               "total_J",   "momentum_N_s",     "support_impulse_N_s", "conversion_J"};
+
+/// True if the run goes on in the folder of its checkpoint.
+bool is_in_place(const Options &o) {
+  if (!o.restart) return false;
+  std::error_code ignored;
+  const fs::path folder = o.restart->file.parent_path();
+  return fs::equivalent(o.out, folder.empty() ? "." : folder, ignored);
+}
+
+/// Removes the halves of files that a run left when it was killed while it wrote them: those with the number of a
+/// process that is no more.
+void remove_leftovers(const fs::path &folder) {
+  std::error_code ignored;
+  std::vector<fs::path> leftovers;
+  for (const auto &entry : fs::directory_iterator(folder, ignored)) {
+    const fs::path name = entry.path().filename();
+    // <name>.<process>.part
+    const std::string process = name.stem().extension().string();
+    if (name.extension() != ".part" || process.size() < 2 || process.size() > 10 ||
+        process.find_first_not_of("0123456789", 1) != std::string::npos)
+      continue;
+    if (::kill(static_cast<pid_t>(std::stol(process.substr(1))), 0) != 0 && errno == ESRCH)
+      leftovers.push_back(entry.path());
+  }
+  for (const fs::path &path : leftovers) fs::remove(path, ignored);
+}
+
+/// Text of the file of a plate's metal.
+std::string material_text(const std::string &material, const materials::AnyMetal &plate) {
+  return materials::to_toml(plate, "The metal of the plate in a run of ogive " + std::string(ogive::version) +
+                                       ", from " + material +
+                                       ".\nA copy with other numbers is a metal for --material.");
+}
+
+/// Text of case.toml.
+std::string case_text(Options o) {
+  // Counts from the folder of case.toml, so that the folder may move.
+  const auto names = material_names(o);
+  if (materials::is_material_file(o.material)) o.material = names.front();
+  for (std::size_t k = 0; k < o.layer_materials.size(); ++k)
+    if (materials::is_material_file(o.layer_materials[k])) o.layer_materials[k] = names[k];
+  return to_toml(o);
+}
+
+} // namespace
+
+bool has_case(const Options &o, const Plates &plates) {
+  const auto holds = [&](const char *name, const std::string &text) {
+    std::ifstream file(o.out / name, std::ios::binary);
+    return file && std::string{std::istreambuf_iterator<char>(file), {}} == text;
+  };
+  bool all = holds("case.toml", case_text(o));
+  const auto names = material_names(o);
+  for (std::size_t k = 0; k < names.size(); ++k)
+    all = all && holds(names[k].c_str(), material_text(materials_of(o)[k], plates[k]));
+  return all;
+}
+
+void start_results(const Options &o, const Plates &plates) {
+  std::error_code ignored;
+  remove_leftovers(o.out), remove_leftovers(o.out / "frames");
+  for (const char *name : {"summary.json", "section.png", "velocity.svg"}) fs::remove(o.out / name, ignored);
+  if (!o.restart) fs::remove(o.out / "history.csv", ignored);
+  if (!is_in_place(o) && fs::exists(o.out / checkpoint_name, ignored))
+    fs::rename(o.out / checkpoint_name, o.out / earlier_checkpoint_name, ignored);
+  const auto names = material_names(o);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto copy = o.out / names[k];
+    const std::string material = materials_of(o)[k];
+    std::error_code missing;
+    if (!materials::is_material_file(material) || !fs::equivalent(copy, material, missing))
+      ogive::write_atomically(copy, material_text(material, plates[k]));
+  }
+  ogive::write_atomically(o.out / "case.toml", case_text(o));
+}
+
+Files open_files(const Options &o, const Course &course) {
+  constexpr char name[] = "perforation";
+  Files files{ogive::continue_csv(o.out / "history.csv", history_columns, course.history), {}};
+  if (!is_in_place(o)) {
+    files.series = ogive::open_series(o.out, name);
+  } else if (o.vtk) {
+    std::vector<ogive::VtkSeriesEntry> entries;
+    for (const FrameFile &f : course.frame_files) entries.push_back({f.time, f.part, f.part_name, f.file});
+    files.series = ogive::resume_series(o.out, name, course.frames, entries);
+  }
+  return files;
+}
+
+void add_frame(Files &files, Course &course, const ogive::Frame &frame) {
+  ogive::add_frame(files.series, frame);
+  course.frames = files.series.frames;
+  course.frame_files.clear();
+  for (const auto &e : files.series.entries) course.frame_files.push_back({e.time, e.part, e.part_name, e.file});
+}
+
+void read_notes(const ogive::Checkpoint &checkpoint, Result &shot, Course &course) {
+  ogive::ArchiveReader reader{checkpoint.notes, "checkpoint = " + ogive::printable(checkpoint.file)};
+  SavedCase saved;
+  reader(saved), reader(shot), reader(course);
+  const bool possible = reader.rest.empty() && course.history.size() % history_columns.size() == 0 &&
+                        !shot.flight.samples.empty() && course.frames >= 0 &&
+                        shot.flight.state <= ogive::FlightState::stopped &&
+                        shot.flight.state >= ogive::FlightState::in_progress && std::isfinite(course.next_frame_us);
+  if (!possible) ogive::refuse_checkpoint(checkpoint.file, "is damaged: its notes cannot be");
+}
+
+std::string notes_of(const Options &o, const Plates &plates, Result &shot, Course &course, double time_us) {
+  ogive::ArchiveWriter notes;
+  notes(SavedCase{"ogive shoot", ogive::version, to_complete_toml(o), metals_text(o, plates), time_us});
+  notes(shot), notes(course);
+  return notes.bytes;
+}
+
+} // namespace shot

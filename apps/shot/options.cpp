@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.hpp"
+
+#include "defaults.hpp"
+#include "materials/library.hpp"
+#include "plates.hpp"
+#include "projectile.hpp"
+#include "table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace shot {
+
+namespace {
+
+using options::Given;
+using options::origin_of;
+using options::Origins;
+using options::refuse;
+using options::shortest;
+
+/// Sets what one level gives; later levels win.
+void apply_level(Options &o, Origins &origins, const Level &level, bool first) {
+  const options::Table table = table_of(o);
+  if (!first)
+    for (const Given &given : level.given) override_layers(o, origins, given.key);
+  for (const Given &given : level.given) options::apply(table, origins, given);
+  if (level.folder.empty()) return;
+  const auto from_there = [&](std::string &material) {
+    if (materials::is_material_file(material)) material = (level.folder / material).string();
+  };
+  for (const Given &given : level.given) {
+    if (given.key == "material") from_there(o.material);
+    if (given.key == "layer_materials") std::for_each(o.layer_materials.begin(), o.layer_materials.end(), from_there);
+  }
+}
+
+} // namespace
+
+std::vector<Level> levels_of(const options::CommandLine &line) {
+  Options any;
+  const options::Table table = table_of(any);
+  std::vector<Level> levels(1);
+  if (line.config)
+    levels.front() = {
+        options::entries_of(table, options::text_of_file(*line.config, "--config"), *line.config, toml_example),
+        std::filesystem::path(*line.config).parent_path()};
+  Level &own = levels.emplace_back();
+  for (const Given &given : line.given)
+    if (options::find(table, given.key) != nullptr) own.given.push_back(given);
+  return levels;
+}
+
+Options settled(const std::vector<Level> &levels) {
+  Options o;
+  Origins origins;
+  for (const Level &level : levels) apply_level(o, origins, level, &level == &levels.front());
+  settle_layers(o, origins);
+  take_defaults(o, origins);
+  settle_materials(o, origins);
+  settle_projectile(o, origins);
+  if (!origins.contains("out")) o.out = default_out(o);
+  check(o, origins);
+  return o;
+}
+
+void check(const Options &o, const Origins &origins) {
+  const auto refuse_value = [&](const char *key, double value, const std::string &allowed) {
+    refuse(origin_of(origins, key), shortest(value), allowed);
+  };
+  if (o.damage == DamageLaw::none) {
+    const std::string needed = "needs --damage jc or --damage cockcroft_latham";
+    if (o.failure != FailureEffect::none) refuse(origin_of(origins, "failure"), name_of(o.failure), needed);
+    if (o.damage_softening > 0) refuse_value("damage_softening", o.damage_softening, needed);
+    if (o.damage_length_mm.value_or(0) > 0) refuse_value("damage_length_mm", *o.damage_length_mm, needed);
+    if (o.damage_length_scope != LengthScope::everywhere)
+      refuse(origin_of(origins, "damage_length_scope"), name_of(o.damage_length_scope), needed);
+    if (o.damage_pressure != DamagePressure::own)
+      refuse(origin_of(origins, "damage_pressure"), name_of(o.damage_pressure), needed);
+  }
+  if (o.method == Method::adaptive && o.damage != DamageLaw::none && o.failure != FailureEffect::no_tension)
+    refuse(origin_of(origins, "failure"), name_of(o.failure),
+           "must be no_tension with --method adaptive: so do the particles that hexes turn into");
+  if (o.method == Method::adaptive && o.damage_pressure != DamagePressure::own)
+    refuse(origin_of(origins, "damage_pressure"), name_of(o.damage_pressure),
+           "must be own with --method adaptive: hexes have no neighbours");
+  if (o.method == Method::adaptive && o.control_stiffness > 0)
+    refuse_value("control_stiffness", o.control_stiffness, "must be 0 with --method adaptive: hexes have no bonds");
+  if (o.method == Method::adaptive && o.layers_mm.size() > 1)
+    refuse_value("layers_mm", static_cast<double>(o.layers_mm.size()), "must be one plate with --method adaptive");
+  const double thinnest =
+      o.layers_mm.empty() ? o.thickness_mm : *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
+  if (o.spacing_mm > thinnest / 2)
+    refuse_value("spacing_mm", o.spacing_mm,
+                 std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
+                     "plate, " + shortest(thinnest / 2) + " mm");
+  const double turn = o.obliquity_deg * std::numbers::pi / 180;
+  const double smallest_disc =
+      std::round(1e6 * (o.diameter_mm / 2 / std::cos(turn) + target_depth_mm(o) * std::tan(turn) + 2 * o.spacing_mm)) /
+      1e6;
+  if (o.sph_radius_mm < smallest_disc || o.sph_radius_mm >= o.clamp_radius_mm)
+    refuse_value("sph_radius_mm", o.sph_radius_mm,
+                 "must lie between " + shortest(smallest_disc) + " mm, " +
+                     (o.obliquity_deg > 0 ? "what the oblique projectile needs" : "the projectile's radius") +
+                     " and two spacings, and " + "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
+  if (o.obliquity_deg > 0 && o.extent == Extent::quarter)
+    refuse_value("obliquity_deg", o.obliquity_deg, "needs --extent half or --extent full");
+  const double particles = estimated_particles(o);
+  if (particles > most_particles)
+    refuse_value("spacing_mm", o.spacing_mm,
+                 "gives about " + shortest(std::round(particles / 1e6)) + " million particles, at most " +
+                     shortest(most_particles / 1e6) + " million are allowed");
+}
+
+double target_depth_mm(const Options &o) { return std::accumulate(o.gaps_mm.begin(), o.gaps_mm.end(), o.thickness_mm); }
+
+double estimated_particles(const Options &o) {
+  const double part = o.extent == Extent::quarter ? 0.25 : o.extent == Extent::half ? 0.5 : 1.0;
+  return part * std::numbers::pi * o.sph_radius_mm * o.sph_radius_mm * o.thickness_mm / std::pow(o.spacing_mm, 3);
+}
+
+std::string to_toml(const Options &options) {
+  Options o = options;
+  const bool own_metal = materials::is_material_file(o.material);
+  // What a reader of the file should choose anew, and what follows from other values. The copy of a material file has
+  // another name, from which no folder can follow.
+  const auto left_out = [&](const options::Option &option) {
+    const std::string_view key = option.key;
+    return (key == "out" && !own_metal && o.out == default_out(o)) || (key == "model" && own_metal) ||
+           (key == "failure" && o.failure == default_failure(o.damage)) ||
+           (key == "thickness_mm" && !o.layers_mm.empty()) || (key == "material" && !o.layer_materials.empty()) ||
+           (key == "nose_length_mm" && o.nose_length_mm == default_nose_length_mm(o)) ||
+           (key == "length_mm" && o.length_mm == default_length_mm(o)) || key == "calibre_radius_head";
+  };
+  return "# Runs the same case again: ogive shoot --config <this file>\n"
+         "# The command line overrides this file. Values of friction and end_us are those that were used: with "
+         "another\n"
+         "# nose or material give them anew, or delete them to have the defaults.\n" +
+         options::to_toml(table_of(o), left_out);
+}
+
+std::string to_complete_toml(const Options &options) {
+  Options o = options;
+  // Beyond the limits of one plate, and known from its parts.
+  const auto left_out = [&](const options::Option &option) {
+    return option.key == std::string_view("thickness_mm") && !o.layers_mm.empty();
+  };
+  return options::to_toml(table_of(o), left_out, false);
+}
+
+} // namespace shot

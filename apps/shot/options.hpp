@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "materials/material_file.hpp"
+#include "ogive/core/error.hpp"
+#include "ogive/core/symmetry.hpp"
+#include "ogive/fem/projectile_shape.hpp"
+#include "ogive/material/damage.hpp"
+#include "ogive/material/equation_of_state.hpp"
+#include "ogive/perforation/case.hpp"
+#include "ogive/perforation/method.hpp"
+#include "options/command_line.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// \file
+/// What a user can choose for a shot, from the command line, a TOML file or a row of a list of cases.
+
+namespace shot {
+
+using FlowModel = materials::Model;
+using ogive::DamageLaw;
+using ogive::DamagePressure;
+using ogive::Extent;
+using ogive::FailureEffect;
+using ogive::Lattice;
+using ogive::LengthScope;
+using ogive::Method;
+using ogive::Nose;
+using ogive::PressureLaw;
+
+enum class ProjectileKind { deformable, rigid };
+enum class SphForm { renormalised, standard };
+enum class SphKernel { cubic_spline, wendland_c2 };
+enum class Smoothing { constant, variable };
+enum class ElementRule { one_point, selective_reduced };
+
+/// What a run that resumes from a checkpoint has from there, besides the options of its case.
+struct Restart {
+  std::filesystem::path file;
+  std::string metal_toml; ///< the metal of the plate, or those of the plates
+  double time_us = 0;     ///< of the checkpoint
+
+  bool operator==(const Restart &) const = default;
+};
+
+/// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
+struct Options {
+  Method method = Method::sfm;
+  std::string material = "weldox_460e";        ///< a name of the library, or a file that ends in .toml
+  FlowModel model = FlowModel::mjc;            ///< parse() takes the file's where the material is one
+  DamageLaw damage = DamageLaw::none;          ///< parse() takes default_damage() where none is given
+  FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
+  double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
+  std::optional<double> damage_length_mm = 0;  ///< unset: shear_length_mm of each plate; parse() takes the default
+  double damage_length_exponent = 1;           ///< parse() takes default_length_exponent() where none is given
+  LengthScope damage_length_scope{};           ///< parse() takes default_length_scope() where none is given
+  DamagePressure damage_pressure{};            ///< parse() takes default_damage_pressure() where none is given
+  double thickness_mm = 12;                    ///< of several plates the sum
+  std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
+  std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
+  std::vector<std::string> layer_materials; ///< one for each plate, the first one's is `material` too; empty: all that
+  double clamp_radius_mm = 250;
+
+  Nose nose = Nose::blunt;
+  double diameter_mm = 20;
+  double length_mm = 80;          ///< tip to tail; parse() takes that of the paper's nose, scaled with the diameter
+  double nose_length_mm = 0;      ///< of a conical or ogival nose; parse() takes that of the paper's, scaled likewise
+  double calibre_radius_head = 0; ///< of an ogive, instead of its nose length; 0: not given
+  double edge_radius_mm = 0;      ///< of the edge between face and shank of a blunt nose; 0: sharp
+  double mass_g = 0;              ///< of the projectile; 0: by the density of its steel
+  double obliquity_deg = 0;       ///< between the line of flight and the plate's axis
+  ProjectileKind projectile = ProjectileKind::deformable;
+  double velocity_mps = 303.5;
+  double friction = 0;  ///< Coulomb; parse() takes default_friction() where none is given
+  double settle_us = 0; ///< after the shot is decided
+  double end_us = 500;  ///< parse() takes default_end_us() where none is given
+
+  double spacing_mm = 0.6;
+  double sph_radius_mm = 24;
+  Extent extent = Extent::quarter;
+  Lattice lattice = Lattice::ring;
+  SphForm form = SphForm::renormalised;
+  SphKernel kernel = SphKernel::cubic_spline;
+  Smoothing smoothing = Smoothing::constant;
+  ElementRule element = ElementRule::one_point;
+  PressureLaw pressure = PressureLaw::linear;
+  double control_stiffness = 0; ///< parse() takes default_control_stiffness() where none is given
+  double contact_stiffness = ogive::PerforationOptions<double>{}.contact_stiffness;
+  double linear_viscosity = ogive::SphOptions<double>{}.linear_viscosity;
+  double quadratic_viscosity = ogive::SphOptions<double>{}.quadratic_viscosity;
+
+  std::filesystem::path out = "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps"; ///< default_out() where none is given
+  double output_every_us = 5;
+  double checkpoint_every_us = 0; ///< 0: by wall time, see checkpoint_minutes
+  bool vtk = true;                ///< write VTK files
+  bool picture = true;            ///< draw the section picture
+  bool quiet = false;             ///< no progress on the terminal
+  std::optional<int> threads;     ///< unset: as many as OpenMP offers
+
+  std::optional<Restart> restart; ///< set: the run resumes from there
+
+  bool operator==(const Options &) const = default;
+};
+
+/// Name of the checkpoint in the folder of the results.
+inline constexpr char checkpoint_name[] = "checkpoint.bin";
+
+/// Name that it gets when another run begins in the folder.
+inline constexpr char earlier_checkpoint_name[] = "checkpoint_before.bin";
+
+/// Wall time between two checkpoints of a run that has no interval for them.
+inline constexpr double checkpoint_minutes = 15;
+
+/// Most particles that a run may have.
+inline constexpr double most_particles = 50e6;
+
+/// What was given for a case by one source: a file, a command line, a row of a list.
+struct Level {
+  std::vector<options::Given> given;
+  std::filesystem::path folder{}; ///< that names of material files count from; empty: the current one
+};
+
+/// The levels of a command line that has been read: its --config file and the line itself, without the keys that are
+/// not the case's. Throws SetupError.
+std::vector<Level> levels_of(const options::CommandLine &line);
+
+/// The case of what was given, later levels first, and defaults for the rest. Throws SetupError, one line that names
+/// the option (of a file its line), the value and what is allowed.
+Options settled(const std::vector<Level> &levels);
+
+/// Checks what belongs together. Throws SetupError.
+void check(const Options &options, const options::Origins &origins);
+
+/// A TOML file that parse() reads back as the same options.
+std::string to_toml(const Options &options);
+
+/// The same without what a reader of the file should choose anew, with every value of the case.
+std::string to_complete_toml(const Options &options);
+
+/// Number of particles that a case will have, up to the edge of the disc.
+double estimated_particles(const Options &options);
+
+/// Distance from the front face of the first plate to the rear face of the last one, mm.
+double target_depth_mm(const Options &options);
+
+} // namespace shot

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plates.hpp"
+
+#include "materials/library.hpp"
+#include "materials/material_keys.hpp"
+#include "table.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace shot {
+
+namespace {
+
+using materials::AnyMetal;
+using materials::is_material_file;
+using options::origin_of;
+using options::Origins;
+using options::printable;
+using options::refuse;
+
+/// The comment between the metals of two plates.
+constexpr char next_plate[] = "next plate";
+
+/// The metals of metals_text(), one by one.
+std::vector<std::string> metal_texts(std::string_view all) {
+  const std::string mark = "\n# " + std::string(next_plate) + "\n";
+  std::vector<std::string> texts;
+  for (std::size_t end = all.find(mark); end != std::string_view::npos; end = all.find(mark)) {
+    texts.emplace_back(all.substr(0, end + 1));
+    all.remove_prefix(end + 1);
+  }
+  texts.emplace_back(all);
+  return texts;
+}
+
+/// Takes the model of a material file and checks that it has the constants that the options need. Throws SetupError.
+void settle_material(Options &o, const std::string &material, bool is_model_fixed, const Origins &origins) {
+  const std::string origin = origin_of(origins, o.layer_materials.empty() ? "material" : "layer_materials");
+  const auto plate = materials::find_metal(material, o.model, origin);
+  const FlowModel model = materials::model_of(plate);
+  if (o.model != model && origins.contains("model"))
+    refuse(origin_of(origins, "model"), name_of(o.model),
+           "contradicts " + printable(material) + ", which has model = " + name_of(model));
+  if (o.model != model && is_model_fixed)
+    refuse(origin, printable(material),
+           "has model = " + name_of(model) + ", the other plates " + name_of(o.model) +
+               ": all plates must have the same");
+  o.model = model;
+
+  using materials::Group;
+  const auto need = [&](const char *key, auto choice, Group group) {
+    if (!has(plate, group))
+      refuse(origin_of(origins, key), name_of(choice), "needs " + keys_of(group) + " in " + printable(material));
+  };
+  if (o.pressure == PressureLaw::mie_gruneisen) need("pressure", o.pressure, Group::shock);
+  if (o.damage == DamageLaw::johnson_cook) need("damage", o.damage, Group::strain);
+  if (o.damage == DamageLaw::cockcroft_latham) need("damage", o.damage, Group::work);
+}
+
+} // namespace
+
+std::string joined(const std::vector<std::string> &texts, const std::string &separator) {
+  std::string all;
+  for (const std::string &text : texts) all += (all.empty() ? "" : separator) + text;
+  return all;
+}
+
+std::string joined(const std::vector<double> &numbers, const std::string &separator) {
+  std::vector<std::string> texts;
+  for (const double number : numbers) texts.push_back(options::shortest(number));
+  return joined(texts, separator);
+}
+
+std::string material_label(const Options &o) {
+  std::vector<std::string> labels;
+  for (const std::string &material : o.layer_materials) labels.push_back(materials::label_of(material));
+  return labels.empty() ? materials::label_of(o.material) : joined(labels, "+");
+}
+
+void override_layers(Options &o, Origins &origins, const std::string &key) {
+  const auto forget = [&](const char *other, auto clear) {
+    if (origins.erase(other) > 0) clear();
+  };
+  if (key == "thickness_mm") {
+    forget("layers_mm", [&] { o.layers_mm.clear(); });
+    forget("gaps_mm", [&] { o.gaps_mm.clear(); });
+    forget("layer_materials", [&] { o.layer_materials.clear(); });
+  }
+  if (key == "material") forget("layer_materials", [&] { o.layer_materials.clear(); });
+  if (key == "layers_mm") forget("thickness_mm", [&] { o.thickness_mm = Options{}.thickness_mm; });
+  if (key == "layer_materials") forget("material", [&] { o.material = Options{}.material; });
+}
+
+void settle_layers(Options &o, const Origins &origins) {
+  const auto refuse_list = [&](const char *key, const auto &list, const std::string &allowed) {
+    refuse(origin_of(origins, key), joined(list, ","), allowed);
+  };
+  const std::size_t count = o.layers_mm.size();
+  if (!origins.contains("layers_mm")) {
+    if (!o.gaps_mm.empty()) refuse_list("gaps_mm", o.gaps_mm, "needs --layers-mm");
+    if (!o.layer_materials.empty()) refuse_list("layer_materials", o.layer_materials, "needs --layers-mm");
+    return;
+  }
+  if (count < 1 || count > ogive::most_layers)
+    refuse_list("layers_mm", o.layers_mm, "must be 1 to " + std::to_string(ogive::most_layers) + " thicknesses");
+  if (origins.contains("thickness_mm"))
+    refuse_list("layers_mm", o.layers_mm, "contradicts thickness_mm: give one of them");
+
+  const std::size_t gaps = count - 1;
+  if (o.gaps_mm.size() == 1 && gaps > 0) o.gaps_mm.resize(gaps, o.gaps_mm.front());
+  if (!origins.contains("gaps_mm")) o.gaps_mm.assign(gaps, 0);
+  if (o.gaps_mm.size() != gaps)
+    refuse_list("gaps_mm", o.gaps_mm,
+                gaps == 0
+                    ? "needs --layers-mm with at least 2 thicknesses"
+                    : "must be 1 number, or " + std::to_string(gaps) + " between " + std::to_string(count) + " plates");
+  if (origins.contains("layer_materials")) {
+    if (o.layer_materials.size() != count)
+      refuse_list("layer_materials", o.layer_materials,
+                  "must be " + std::to_string(count) + ", one for each plate of --layers-mm");
+    if (origins.contains("material"))
+      refuse_list("layer_materials", o.layer_materials, "contradicts material: give one of them");
+    o.material = o.layer_materials.front();
+    if (std::all_of(o.layer_materials.begin(), o.layer_materials.end(),
+                    [&](const std::string &material) { return material == o.material; }))
+      o.layer_materials.clear();
+  }
+  o.thickness_mm = std::accumulate(o.layers_mm.begin(), o.layers_mm.end(), 0.0);
+  if (count == 1) o.layers_mm.clear(), o.gaps_mm.clear();
+}
+
+std::vector<std::string> materials_of(const Options &o) {
+  if (!o.layer_materials.empty()) return o.layer_materials;
+  return std::vector(std::max<std::size_t>(1, o.layers_mm.size()), o.material);
+}
+
+Plates plates_of(const Options &o) {
+  Plates plates;
+  if (o.restart) {
+    const std::string name = "metal in " + o.restart->file.string();
+    for (const std::string &text : metal_texts(o.restart->metal_toml)) plates.push_back(materials::parse(text, name));
+    if (plates.size() == 1) plates.resize(materials_of(o).size(), plates.front());
+  } else {
+    const char *origin = o.layer_materials.empty() ? "--material" : "--layer-materials";
+    for (const std::string &material : materials_of(o))
+      plates.push_back(materials::find_metal(material, o.model, origin));
+  }
+  for (AnyMetal &any : plates)
+    std::visit(
+        [&](auto &metal) {
+          metal.eos.law = o.pressure;
+          metal.damage.law = o.damage;
+          metal.damage.effect = o.failure;
+          metal.damage.softening = o.damage_softening;
+          metal.damage.length = o.damage_length_mm ? *o.damage_length_mm * 1e-3 : metal.damage.shear_length;
+          metal.damage.length_exponent = o.damage_length_exponent;
+          metal.damage.length_scope = o.damage_length_scope;
+        },
+        any);
+  return plates;
+}
+
+/// The same for the materials of all plates: files first, they say which model those of the library get.
+void settle_materials(Options &o, const Origins &origins) {
+  bool is_model_fixed = false;
+  for (const bool files : {true, false})
+    for (const std::string &material : materials_of(o))
+      if (is_material_file(material) == files)
+        settle_material(o, material, std::exchange(is_model_fixed, true), origins);
+}
+
+std::string metals_text(const Options &o, const Plates &plates) {
+  std::string text = materials::to_toml(plates.front(), "");
+  for (std::size_t k = 1; k < plates.size() && !o.layer_materials.empty(); ++k)
+    text += materials::to_toml(plates[k], next_plate);
+  return text;
+}
+
+} // namespace shot

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.hpp"
+
+#include "options/table.hpp"
+
+/// \file
+/// The projectile of the options: one of the paper's, or with lengths of its own.
+
+namespace shot {
+
+/// Length of the nose, mm, unless the user says so: that of the paper's, scaled with the diameter.
+double default_nose_length_mm(const Options &options);
+
+/// Length from tip to tail, mm, unless the user says so: with the shank of the paper's, scaled with the diameter.
+double default_length_mm(const Options &options);
+
+/// The projectile of the options, SI units.
+ogive::ProjectileShape<double> shape_of(const Options &options);
+
+/// True if the projectile is the one of the tests and strikes as there.
+bool is_of_the_tests(const Options &options);
+
+/// Takes what is not given of the lengths from the paper's projectile, and the length of an ogive from its radius.
+/// Throws SetupError.
+void settle_projectile(Options &options, const options::Origins &origins);
+
+} // namespace shot

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report.hpp"
+
+#include "defaults.hpp"
+#include "materials/library.hpp"
+#include "ogive/io/atomic_file.hpp"
+#include "ogive/io/section_picture.hpp"
+#include "ogive/io/velocity_plot.hpp"
+#include "ogive/version.hpp"
+#include "plates.hpp"
+#include "projectile.hpp"
+#include "table.hpp"
+
+#include <nlohmann/json.hpp>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace shot {
+
+bool perforated(const Result &shot) {
+  const auto &flight = shot.flight;
+  if (shot.fault) return false;
+  if (flight.state != ogive::FlightState::in_progress) return flight.state == ogive::FlightState::perforated;
+  const auto &last = flight.samples.back();
+  const bool through = flight.sharp ? last.shoulder > flight.plate_thickness : shot.fragments.plug_mass > 1e-3;
+  return through && last.velocity > 5e-3 * flight.initial_velocity;
+}
+
+std::optional<double> dishing_at_rest_mm(const Result &shot) {
+  const double time_us = shot.swing.until_us - shot.swing.begun_us;
+  if (shot.swing.begun_us < 0 || !(time_us > 0)) return std::nullopt;
+  return shot.swing.integral_mm_us / time_us;
+}
+
+double residual_mps(const Result &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
+
+Result run_model(const Options &options, const Plates &plates) {
+  return std::visit(
+      [&]<class M>(const M &) {
+        std::vector<M> metals;
+        for (const auto &plate : plates) metals.push_back(std::get<M>(plate));
+        return run_model(options, metals);
+      },
+      plates.front());
+}
+
+namespace {
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+double ns_per_particle_step(const Result &s) {
+  return s.loop_s * 1e9 / std::max(1.0, static_cast<double>(s.steps) * static_cast<double>(s.sizes.particles));
+}
+
+/// "neighbours 3 %, gradient 20 %, ...": of the time loop.
+std::string shares(const Result &s) {
+  const double total = std::accumulate(s.times.seconds.begin(), s.times.seconds.end(), 0.0);
+  std::string text;
+  for (std::size_t k = 0; k < ogive::phase_count; ++k) {
+    const auto phase = static_cast<ogive::Phase>(k);
+    char share[64];
+    std::snprintf(share, sizeof share, "%s%s %.0f %%", text.empty() ? "" : ", ",
+                  std::string(ogive::name(phase)).c_str(), 100 * s.times[phase] / total);
+    text += share;
+  }
+  return text;
+}
+
+/// Why the run ended.
+const char *ending(const Result &s) {
+  if (s.fault) return "fault";
+  switch (s.flight.state) {
+  case ogive::FlightState::perforated:
+    return s.flight.sharp ? "the tail left the plate" : "the velocity is steady";
+  case ogive::FlightState::stopped:
+    return "the projectile rebounds";
+  default:
+    return "end of time";
+  }
+}
+
+void add_shape(nlohmann::ordered_json &j, const ogive::PlateShape<double> &shape) {
+  j["plug_thickness_mm"] = shape.plug_thickness * 1e3;
+  j["dishing_mm"] = shape.dishing * 1e3;
+  j["kept_fraction"] = shape.kept_fraction;
+  j["petal_height_mm"] = shape.petal_height * 1e3;
+  j["band_temperature_K"] = shape.band_temperature;
+  j["core_temperature_K"] = shape.core_temperature;
+  j["most_temperature_K"] = shape.most_temperature;
+}
+
+std::string case_title(const Options &o, const Result &s) {
+  std::string sizes = options::shortest(o.thickness_mm) + " mm, ";
+  if (!o.layers_mm.empty()) sizes = joined(o.layers_mm, " + ") + " mm, ";
+  if (target_depth_mm(o) > o.thickness_mm) sizes += joined(o.gaps_mm, ", ") + " mm apart, ";
+  return s.material + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes +
+         options::shortest(o.velocity_mps) + " m/s" +
+         (o.obliquity_deg == 0 ? "" : " at " + options::shortest(o.obliquity_deg) + " deg") +
+         (o.method == Method::sfm ? "" : ", " + name_of(o.method));
+}
+
+} // namespace
+
+std::optional<experiment::Residual> find_test(const Options &o) {
+  const materials::LibraryMetal *metal = materials::find_library_metal(o.material);
+  if (metal == nullptr || !is_of_the_tests(o) || !o.layers_mm.empty()) return std::nullopt;
+  return experiment::find_residual(std::string(metal->test_name), std::string(ogive::name(o.nose)), o.thickness_mm,
+                                   o.velocity_mps);
+}
+
+void announce(const Options &o, const Result &shot) {
+  if (o.quiet) return;
+  const Sizes &s = shot.sizes;
+  std::printf("%s\n", case_title(o, shot).c_str());
+  const bool adaptive = o.method == Method::adaptive;
+  std::printf("  %s   %.4f mm (target %g), %ld %s, %ld hexes\n", adaptive ? "height of a hex  " : "particle distance",
+              s.spacing_mm, o.spacing_mm, s.particles, adaptive ? "can turn into particles" : "particles", s.hexes);
+  std::printf("  projectile          %.2f g%s", s.projectile_mass_g, is_of_the_tests(o) ? " (197 g in the tests)" : "");
+  if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
+  std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
+  if (o.restart) std::printf("  resumes from        %.3f us, %s\n", o.restart->time_us, o.restart->file.c_str());
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
+  char hash[20];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.state_hash));
+  nlohmann::ordered_json j;
+  j["version"] = ogive::version;
+  j["material"] = s.material;
+  j["model"] = name_of(o.model);
+  j["method"] = name_of(o.method);
+  j["damage"] = name_of(o.damage);
+  j["failure"] = name_of(o.failure);
+  j["nose"] = std::string(ogive::name(o.nose));
+  j["diameter_mm"] = o.diameter_mm;
+  j["length_mm"] = o.length_mm;
+  j["nose_length_mm"] = o.nose_length_mm;
+  j["edge_radius_mm"] = o.edge_radius_mm;
+  j["obliquity_deg"] = o.obliquity_deg;
+  j["projectile"] = o.projectile == ProjectileKind::rigid ? "rigid" : "deformable";
+  j["thickness_mm"] = o.thickness_mm;
+  j["spacing_mm"] = s.sizes.spacing_mm;
+  j["friction"] = o.friction;
+  j["initial_velocity_mps"] = o.velocity_mps;
+  j["residual_velocity_mps"] = residual_mps(s);
+  j["final_velocity_mps"] = s.flight.samples.back().velocity;
+  j["velocity_at_shoulder_mps"] = nullptr;
+  j["velocity_at_tail_mps"] = nullptr;
+  if (s.flight.velocity_at_shoulder) j["velocity_at_shoulder_mps"] = *s.flight.velocity_at_shoulder;
+  if (s.flight.velocity_at_tail) j["velocity_at_tail_mps"] = *s.flight.velocity_at_tail;
+  j["perforated"] = perforated(s);
+  j["ending"] = ending(s);
+  j["fault"] = nullptr;
+  if (s.fault)
+    j["fault"] = {{"what", s.fault->what}, {"body", s.fault->body}, {"id", s.fault->id}, {"time_us", s.fault->time_us}};
+  j["test_residual_velocity_mps"] = nullptr;
+  if (test) j["test_residual_velocity_mps"] = test->residual_mps, j["test_origin"] = test->origin;
+  j["plug_mass_g"] = s.fragments.plug_mass * 1e3;
+  j["plug_velocity_mps"] = s.fragments.plug_velocity;
+  if (s.layers.size() == 1) add_shape(j, s.layers.front().shape);
+  if (const auto rest = dishing_at_rest_mm(s)) j["dishing_at_rest_mm"] = *rest;
+  j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
+  j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
+  j["failed_particles"] = s.fragments.failed;
+  if (o.method == Method::adaptive) {
+    j["failed_hexes"] = s.failed_hexes;
+    j["distorted_hexes"] = s.distorted_hexes;
+    j["buried_particles"] = s.buried_particles;
+  }
+  j["projectile_mass_g"] = s.sizes.projectile_mass_g;
+  j["added_mass_g"] = s.sizes.added_mass_g;
+  j["largest_intrusion_mm"] = s.intrusion_mm;
+  j["hourglass_fraction"] = s.hourglass_fraction;
+  j["energy_error"] = s.energy_error;
+  j["momentum_error"] = s.momentum_error;
+  j["particles"] = s.sizes.particles;
+  j["elements"] = s.sizes.hexes;
+  j["steps"] = s.steps;
+  j["simulated_us"] = s.simulated_us;
+  j["wall_s"] = s.wall_s;
+  j["cpu_s"] = s.cpu_s;
+  j["threads"] = omp_get_max_threads();
+  j["ns_per_particle_step"] = ns_per_particle_step(s);
+  for (std::size_t k = 0; k < ogive::phase_count; ++k) {
+    const auto phase = static_cast<ogive::Phase>(k);
+    j["phase_s"][std::string(ogive::name(phase))] = s.times[phase];
+  }
+  j["peak_memory_mb"] = peak_memory_mb();
+  j["state_hash"] = hash;
+  for (std::size_t k = 0; k < o.layers_mm.size(); ++k) {
+    const LayerResult &layer = s.layers[k];
+    nlohmann::ordered_json entry;
+    entry["material"] = layer.material;
+    entry["thickness_mm"] = o.layers_mm[k];
+    entry["gap_before_mm"] = k == 0 ? 0 : o.gaps_mm[k - 1];
+    entry["plug_mass_g"] = layer.fragments.plug_mass * 1e3;
+    entry["plug_velocity_mps"] = layer.fragments.plug_velocity;
+    add_shape(entry, layer.shape);
+    entry["debris_mass_g"] = layer.fragments.debris_mass * 1e3;
+    entry["failed_mass_g"] = layer.fragments.failed_mass * 1e3;
+    j["layers"].push_back(entry);
+  }
+  return j;
+}
+
+void write_summary(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
+  ogive::write_atomically(o.out / "summary.json", summary_of(o, s, test).dump(2) + "\n");
+}
+
+std::string draw(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
+  if (!o.picture) return {};
+  std::string left_out;
+  const auto attempt = [&](auto &&draw_one) {
+    try {
+      draw_one();
+    } catch (const std::exception &error) {
+      left_out += std::string(left_out.empty() ? "" : "\n") + error.what();
+    }
+  };
+  attempt([&] {
+    char when[64];
+    std::snprintf(when, sizeof when, ": %.1f us, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
+    ogive::SectionPicture picture;
+    picture.title = case_title(o, s) + when;
+    picture.bar_title = "plastic strain";
+    const double low = std::min(-target_depth_mm(o) - 14, -s.flight.samples.back().nose * 1e3 - 14);
+    picture.centre_z_mm = 0.5 * (low + 22);
+    picture.half_height_mm = std::max(30.0, 0.5 * (22 - low));
+    ogive::render_section(s.last_frame, s.symmetry, o.out / "section.png", picture);
+  });
+  attempt([&] {
+    ogive::VelocityPlot plot;
+    plot.title = case_title(o, s);
+    if (test && test->residual_mps > 0) plot.measured_residual_m_per_s = test->residual_mps;
+    ogive::write_velocity_plot(o.out / "history.csv", o.out / "velocity.svg", plot);
+  });
+  return left_out;
+}
+
+void print_table(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
+  const double residual = residual_mps(s);
+  std::printf("\n  %-22s %s\n", "perforated", perforated(s) ? "yes" : "no");
+  std::printf("  %-22s %.1f m/s\n", "residual velocity", residual);
+  if (test) std::printf("  %-22s %.1f m/s (%s)\n", "test", test->residual_mps, test->origin.c_str());
+  if (s.flight.velocity_at_shoulder)
+    std::printf("  %-22s %.1f m/s\n", "when the shoulder left", *s.flight.velocity_at_shoulder);
+  if (s.flight.velocity_at_tail) std::printf("  %-22s %.1f m/s\n", "when the tail left", *s.flight.velocity_at_tail);
+  std::printf("  %-22s %s, %.1f us\n", "end of the run", ending(s), s.simulated_us);
+  if (o.nose == Nose::blunt || s.fragments.plug_mass > 1e-3)
+    std::printf("  %-22s %.2f g at %.1f m/s, debris %.2f g\n", "plug", s.fragments.plug_mass * 1e3,
+                s.fragments.plug_velocity, s.fragments.debris_mass * 1e3);
+  for (std::size_t k = 0; k < o.layers_mm.size(); ++k)
+    std::printf("  %-22s %.2f g at %.1f m/s, %g mm of %s\n", ("  of plate " + std::to_string(k + 1)).c_str(),
+                s.layers[k].fragments.plug_mass * 1e3, s.layers[k].fragments.plug_velocity, o.layers_mm[k],
+                s.layers[k].material.c_str());
+  if (o.damage != DamageLaw::none)
+    std::printf("  %-22s %.2f g, %ld of the %s computed\n", "failed", s.fragments.failed_mass * 1e3,
+                static_cast<long>(s.fragments.failed), o.method == Method::adaptive ? "hexes" : "particles");
+  if (s.distorted_hexes > 0)
+    std::printf("  %-22s %ld of them before they failed\n", "too distorted", s.distorted_hexes);
+  if (const auto rest = dishing_at_rest_mm(s))
+    std::printf("  %-22s %.2f mm at rest, mean over %.0f us\n", "dishing", *rest, s.swing.until_us - s.swing.begun_us);
+  std::printf("  %-22s %.4f %%\n", "largest energy error", s.energy_error * 100);
+  std::printf("  %-22s %.1e\n", "momentum error", s.momentum_error);
+  std::printf("  %-22s %.3f mm\n", "deepest intrusion", s.intrusion_mm);
+  std::printf("  %-22s %.1f s, %ld steps, %.0f ns per particle and step, %.0f MB\n", "cost", s.wall_s, s.steps,
+              ns_per_particle_step(s), peak_memory_mb());
+  std::printf("  %-22s %s\n", "shares", shares(s).c_str());
+  std::printf("  %-22s %s\n", "files", o.out.string().c_str());
+}
+
+} // namespace shot

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plates.hpp"
+
+#include "ogive/io/frame.hpp"
+#include "ogive/perforation/flight.hpp"
+#include "ogive/perforation/shape.hpp"
+#include "ogive/sim/energy.hpp"
+#include "ogive/sim/run.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shot {
+
+/// Sizes of a model, known before the run.
+struct Sizes {
+  long particles = 0;
+  long hexes = 0;
+  double spacing_mm = 0;
+  double projectile_mass_g = 0;
+  double added_mass_g = 0; ///< for the time step, at a sharp tip
+  double time_step_us = 0;
+};
+
+/// What has become of one of several plates.
+struct LayerResult {
+  std::string material; ///< name of its metal
+  ogive::Fragments<double> fragments;
+  ogive::PlateShape<double> shape;
+};
+
+/// The plate's swing after the shot has been decided, of the first plate.
+struct Swing {
+  double begun_us = -1;      ///< when it was decided; -1: not yet
+  double until_us = 0;       ///< of the last sample
+  double dishing_mm = 0;     ///< then
+  double integral_mm_us = 0; ///< of the dishing since it was decided
+};
+
+/// Everything that a finished shot reports.
+struct Result {
+  std::string material; ///< name of the plate's metal; of several "first + second + ..." if they differ
+  Sizes sizes;
+  ogive::Flight<double> flight;
+  std::optional<ogive::Fault> fault;
+  int interrupted_by = 0;             ///< signal; 0: the run came to its end
+  ogive::Fragments<double> fragments; ///< of all plates
+  std::vector<LayerResult> layers;    ///< one for each plate
+  long failed_hexes = 0;              ///< of the computed part, turned into particles
+  long distorted_hexes = 0;           ///< likewise, before they failed
+  long buried_particles = 0;          ///< of the computed part, that overlap hexes at the end
+  Swing swing;                        ///< for --settle-us
+  double intrusion_mm = 0;            ///< deepest over the frames: particle behind the projectile's surface
+  double hourglass_fraction = 0;      ///< of the initial energy, at the end
+  double energy_error = 0;            ///< largest over the run, of the initial energy
+  double momentum_error = 0;          ///< largest over the run, against the supports' impulse, of the initial momentum
+  double loop_s = 0;                  ///< wall time of the time loop without writing files
+  double wall_s = 0;                  ///< wall time of the whole run
+  double cpu_s = 0;                   ///< processor time of all threads, of the whole run
+  long steps = 0;
+  double simulated_us = 0;
+  ogive::PhaseTimes times; ///< wall time of the parts of the time loop
+  std::uint64_t state_hash = 0;
+  ogive::Frame last_frame;
+  ogive::SymmetryPlanes symmetry;
+};
+
+/// True if the projectile came through: perforated, or at the end of the time it flies on with a plug loose (sharp:
+/// with its shoulder beyond the rear face).
+bool perforated(const Result &shot);
+
+/// Residual velocity in m/s, 0 unless perforated.
+double residual_mps(const Result &shot);
+
+/// Mean dishing of the first plate over the time of --settle-us, mm; none without.
+std::optional<double> dishing_at_rest_mm(const Result &shot);
+
+/// Runs the case with these metals (of plates_of()) as the plates, from the start or from the checkpoint of the
+/// options, and writes history, VTK files and checkpoints into `options.out`. Throws SetupError for a case that cannot
+/// be built or a checkpoint that does not fit it, WriteError for a file that cannot be written.
+Result run_model(const Options &options, const Plates &plates);
+
+/// The parts of run_model(), one for each flow law so that they compile side by side.
+Result run_model(const Options &options,
+                 const std::vector<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>> &plates);
+Result run_model(const Options &options, const std::vector<ogive::Metal<double, ogive::JohnsonCook<double>>> &plates);
+
+} // namespace shot

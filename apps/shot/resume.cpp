@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "resume.hpp"
+
+#include "ogive/version.hpp"
+#include "options/toml_file.hpp"
+#include "plates.hpp"
+#include "saved_case.hpp"
+#include "table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace shot {
+
+namespace {
+
+using options::Given;
+using options::refuse;
+
+/// The options that a run may change when it resumes: nothing in the physics depends on them.
+constexpr std::array<std::string_view, 8> changeable{"end_us", "out",     "output_every_us", "checkpoint_every_us",
+                                                     "vtk",    "picture", "quiet",           "threads"};
+
+bool is_changeable(const std::string &key) {
+  return std::find(changeable.begin(), changeable.end(), key) != changeable.end();
+}
+
+/// The options of a checkpoint.
+Options options_in(const SavedCase &saved, const std::filesystem::path &file) {
+  Options o;
+  o.damage_length_mm.reset(); // the case has all that is set
+  const options::Table table = table_of(o);
+  options::Origins origins;
+  for (const Given &given : options::entries_of(table, saved.case_toml, "case in " + file.string(), toml_example))
+    options::apply(table, origins, given);
+  o.out = file.has_parent_path() ? file.parent_path() : ".";
+  if (!o.layers_mm.empty()) o.thickness_mm = std::accumulate(o.layers_mm.begin(), o.layers_mm.end(), 0.0);
+  o.restart = {file, saved.metal_toml, saved.time_us};
+  return o;
+}
+
+} // namespace
+
+Options restarted(const std::string &name, const std::vector<Given> &all) {
+  std::string flags;
+  for (const auto key : changeable) flags += (flags.empty() ? "" : ", ") + options::flag_of(key);
+  for (const Given &given : all)
+    if (!is_changeable(given.key)) refuse(given, "the case is that of --restart; what may be given is " + flags);
+
+  const std::filesystem::path file = name;
+  const SavedCase saved = read_saved_case(file);
+  Options o = options_in(saved, file);
+  options::Origins origins;
+  for (const Given &given : all) options::apply(table_of(o), origins, given);
+  check(o, origins);
+  if (origins.contains("end_us") && o.end_us < saved.time_us)
+    refuse("--end-us", options::shortest(o.end_us),
+           "must not lie before the time of the checkpoint, " + options::shortest(saved.time_us) + " us");
+  return o;
+}
+
+Options resumed(const Options &options) {
+  const auto file = options.out / checkpoint_name;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored) || std::filesystem::exists(options.out / "summary.json", ignored))
+    return options;
+  try {
+    const SavedCase saved = read_saved_case(file);
+    if (saved.version != ogive::version || saved.metal_toml != metals_text(options, plates_of(options))) return options;
+    Options left = options_in(saved, file);
+    const auto restart = std::exchange(left.restart, std::nullopt);
+    left.out = options.out;
+    left.checkpoint_every_us = options.checkpoint_every_us;
+    left.picture = options.picture;
+    left.quiet = options.quiet;
+    left.threads = options.threads;
+    if (left != options) return options;
+    left.restart = restart;
+    return left;
+  } catch (const ogive::SetupError &) {
+    return options; // damaged, or of another program
+  }
+}
+
+} // namespace shot

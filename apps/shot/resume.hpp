@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.hpp"
+
+/// \file
+/// Runs that resume from a checkpoint.
+
+namespace shot {
+
+/// The options in a checkpoint with what a command line changes: the folder of the results is that of the file; only
+/// options that leave the physics as they are may be given. Throws SetupError.
+Options restarted(const std::string &file, const std::vector<options::Given> &given);
+
+/// The options of a run that continues what an earlier one left in the folder `options.out`: they resume from the
+/// checkpoint there if it is of the same case, metal and version of ogive and the folder has no summary, the sign of an
+/// end. Else those given. Threads, picture and terminal may differ; frames may not, those of before would be missing.
+Options resumed(const Options &options);
+
+} // namespace shot

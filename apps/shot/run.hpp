@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "result.hpp"
+
+#include "options/exit_status.hpp"
+
+/// \file
+/// One case from its options to its results, as the program runs it.
+
+namespace shot {
+
+using options::not_finished;
+using options::success;
+
+/// The exit status of a run that a signal interrupted, less the number of the signal.
+constexpr int interrupted = 128;
+
+/// How much of a run is printed and drawn.
+enum class Output {
+  all, ///< what is about to be run, the closing table, pictures, why it did not come to its end
+  none
+};
+
+/// How a case ended.
+struct Outcome {
+  int status = success;
+  Result shot;
+  std::string problem{}; ///< why it did not come to its end, one line
+};
+
+/// Runs a case and writes its results. Throws SetupError, and then nothing was run or overwritten.
+Outcome run(const Options &options, Output output);
+
+/// Creates the folder `options.out` and proves with a small file of its own, removed at once, that it can be written to
+/// and has room for the run. Leaves what is there untouched. Throws SetupError, one line, and then leaves no new folder
+/// behind.
+void prepare_out(const Options &options);
+
+/// The command that resumes a run, as a shell takes it.
+std::string restart_command(const std::filesystem::path &checkpoint);
+
+} // namespace shot

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "files.hpp"
+#include "keeper.hpp"
+#include "progress.hpp"
+#include "result.hpp"
+#include "signals.hpp"
+#include "to_case.hpp"
+
+#include "ogive/io/checkpoint.hpp"
+#include "ogive/sim/hash.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shot {
+
+/// What the projectile's mesh and the plate's particles amount to.
+template <class M> Sizes sizes_of(const M &model) {
+  Sizes s;
+  const auto &shot = ogive::projectile(model);
+  s.hexes = static_cast<long>(shot.hexes.size());
+  for (const auto &rim : ogive::rims(model)) s.hexes += static_cast<long>(rim.hexes.size());
+  for (const auto &disc : ogive::discs(model)) s.particles += disc.points.size();
+  s.spacing_mm = ogive::disc(model).spacing * 1e3;
+  s.projectile_mass_g = ogive::whole_mass(shot.point_mass, model.symmetry) * 1e3;
+  double nodal = 0;
+  for (ogive::Index n = shot.nodes.begin; n < shot.nodes.end; ++n) nodal += model.nodes.mass[n];
+  s.added_mass_g = nodal * model.symmetry.copies() * 1e3 - s.projectile_mass_g;
+  s.time_step_us = ogive::stable_time_step(model) * 1e6;
+  return s;
+}
+
+/// Prints what is about to be computed.
+void announce(const Options &options, const Result &shot);
+
+/// Restores model, run, shot and course from the checkpoint of the options. Throws SetupError.
+template <class M>
+void restore(const Options &options, M &model, ogive::RunState<double> &state, Result &shot, Course &course) {
+  const auto checkpoint = ogive::read_checkpoint(options.restart->file);
+  read_notes(checkpoint, shot, course);
+  ogive::restore(checkpoint, model, state);
+  course.next_frame_us += options.output_every_us - course.frame_interval_us;
+  course.frame_interval_us = options.output_every_us;
+}
+
+/// Samples the model into shot, course and history.csv.
+template <class M>
+void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::ProjectileShape<double> &shape,
+                 Result &shot, Course &course, Files &files) {
+  const auto sample = ogive::observe_flight(now, shape, shot.flight);
+  ogive::record(shot.flight, sample, [&] { return ogive::is_plug_loose(now); });
+  const double momentum = -ogive::momentum(now)[2], impulse = -now.support_impulse[2] * now.symmetry.copies();
+  if (shot.flight.samples.size() == 1) course.first_energy = total(e), course.first_momentum = momentum;
+  shot.hourglass_fraction = e.hourglass / course.first_energy;
+  const double error = std::abs(total(e) / course.first_energy - 1);
+  if (!(error <= shot.energy_error)) shot.energy_error = error;
+  shot.momentum_error =
+      std::max(shot.momentum_error, std::abs(momentum - course.first_momentum - impulse) / course.first_momentum);
+  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,  e.elastic,
+                    e.plastic,      e.hourglass,     e.viscous,         e.contact,         e.friction, e.external,
+                    total(e),       momentum,        impulse,           e.conversion};
+  ogive::add_row(files.history, row);
+  course.history.insert(course.history.end(), row.begin(), row.end());
+}
+
+/// Adds a sample of the plate's dishing to its swing (trapezoidal rule).
+inline void add_sample(Swing &swing, double time_us, double dishing_mm) {
+  if (swing.begun_us < 0)
+    swing.begun_us = time_us;
+  else
+    swing.integral_mm_us += 0.5 * (time_us - swing.until_us) * (swing.dishing_mm + dishing_mm);
+  swing.until_us = time_us;
+  swing.dishing_mm = dishing_mm;
+}
+
+/// "weldox_460e", or "weldox_460e + aa5083_h116".
+template <class Law> std::string name_of(const std::vector<ogive::Metal<double, Law>> &plates) {
+  std::string names = plates.front().name;
+  const bool same = std::all_of(plates.begin(), plates.end(), [&](const auto &p) { return p.name == names; });
+  for (std::size_t k = 1; k < plates.size() && !same; ++k) names += " + " + plates[k].name;
+  return names;
+}
+
+/// Runs a case with the kernel, form and hexes chosen at compile time.
+template <class Kernel, class Form, class Rule, class Law>
+Result run_with(const Options &options, const std::vector<ogive::Metal<double, Law>> &plates) {
+  auto numerics = ogive::options_of<double>(options.method);
+  numerics.sph.control.stiffness = options.control_stiffness;
+  numerics.sph.damage_pressure = options.damage_pressure;
+  numerics.contact_stiffness = options.contact_stiffness;
+  numerics.sph.linear_viscosity = options.linear_viscosity;
+  numerics.sph.quadratic_viscosity = options.quadratic_viscosity;
+  numerics.sph.variable_smoothing = options.smoothing == Smoothing::variable;
+  const auto c = to_case(options);
+  auto model =
+      ogive::make_perforation<Kernel, Form, Rule>(c, plates, ogive::library::arne_tool_steel<double>(), numerics);
+  const auto &shape = c.projectile;
+  std::vector<std::vector<ogive::Vec3<double>>> undeformed;
+  for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::disc_positions(model, k));
+  const Plates metals(plates.begin(), plates.end());
+
+  Result shot;
+  shot.material = name_of(plates);
+  shot.sizes = sizes_of(model);
+  shot.flight = ogive::start_flight(c);
+  shot.symmetry = model.symmetry;
+  Course course;
+  course.frame_interval_us = options.output_every_us;
+  ogive::RunState<double> state;
+  if (options.restart) restore(options, model, state, shot, course);
+  announce(options, shot);
+  start_results(options, metals);
+  Files files = open_files(options, course);
+  Progress progress{.quiet = options.quiet, .before_s = course.wall_s, .cpu_before_s = course.cpu_s};
+  Keeper keeper = start_keeper(options, model.time * 1e6, course.wall_s);
+
+  const auto writing = [&](auto &&write) {
+    const double before = elapsed_s(progress);
+    write();
+    course.writing_s += elapsed_s(progress) - before;
+  };
+  const auto write_frame = [&] {
+    if (options.vtk) writing([&] { add_frame(files, course, ogive::gather_frame(model)); });
+    course.last_frame_us = model.time * 1e6;
+  };
+  const double longest_us = options.end_us + options.settle_us;
+  const auto observe = [&](const auto &now, const ogive::Energy<double> &e) {
+    take_sample(now, e, shape, shot, course, files);
+    if (now.time * 1e6 >= course.next_frame_us) {
+      write_frame();
+      shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(now) * 1e3);
+      course.next_frame_us += options.output_every_us;
+    }
+    const double time_us = now.time * 1e6;
+    show(progress, time_us, longest_us, shot.flight.samples.back().velocity, now.steps);
+    const bool in_progress = shot.flight.state == ogive::FlightState::in_progress;
+    if (options.settle_us == 0 || (in_progress && time_us < options.end_us * (1 - 1e-12))) return in_progress;
+    add_sample(shot.swing, time_us, ogive::dishing_of(now, undeformed.front(), shape.diameter / 2) * 1e3);
+    return time_us - shot.swing.begun_us < options.settle_us;
+  };
+  ogive::RunOptions<double> run_options;
+  run_options.end_time = longest_us * 1e-6;
+  const auto pause = [&](const auto &now, const auto &run) {
+    shot.interrupted_by = caught_signal();
+    course.wall_s = elapsed_s(progress);
+    // At the end of the time too, so that the run can go on with a later one.
+    const bool at_end = options.checkpoint_every_us > 0 && now.time >= run_options.end_time * (1 - 1e-12);
+    if (is_due(keeper, now.time * 1e6, course.wall_s) || at_end || shot.interrupted_by != 0)
+      writing([&] {
+        course.cpu_s = cpu_s(progress);
+        ogive::write_checkpoint(options.out / checkpoint_name, now, run,
+                                notes_of(options, metals, shot, course, now.time * 1e6));
+      });
+    return shot.interrupted_by != 0;
+  };
+  const auto result = ogive::run(model, run_options, state, observe, pause);
+  shot.loop_s = elapsed_s(progress) - course.writing_s;
+  if (course.last_frame_us < model.time * 1e6) write_frame();
+  show(progress, model.time * 1e6, longest_us, shot.flight.samples.back().velocity, model.steps, true);
+
+  shot.fault = result.fault;
+  shot.wall_s = elapsed_s(progress);
+  shot.cpu_s = cpu_s(progress);
+  shot.steps = model.steps;
+  shot.simulated_us = model.time * 1e6;
+  shot.fragments = ogive::find_fragments(model);
+  for (const auto &conversion : model.conversions) {
+    shot.failed_hexes += static_cast<long>(conversion.failed);
+    shot.distorted_hexes += static_cast<long>(conversion.distorted);
+    shot.buried_particles += ogive::count_buried(model.contacts[conversion.surface]);
+  }
+  for (std::size_t k = 0; k < plates.size(); ++k)
+    shot.layers.push_back({plates[k].name, ogive::find_fragments_of(model, k),
+                           ogive::plate_shape(model, undeformed[k], shape.diameter / 2, ogive::layers_of(c)[k], k)});
+  shot.state_hash = ogive::state_hash(model);
+  shot.times = model.times;
+  shot.last_frame = ogive::gather_frame(model);
+  return shot;
+}
+
+/// Runs a case: the choices of kernel, form and hexes become types here.
+template <class Law> Result run_metals(const Options &o, const std::vector<ogive::Metal<double, Law>> &plates) {
+  const auto with_rule = [&]<class Kernel, class Form>() {
+    return o.element == ElementRule::one_point ? run_with<Kernel, Form, ogive::OnePoint>(o, plates)
+                                               : run_with<Kernel, Form, ogive::SelectiveReduced>(o, plates);
+  };
+  const auto with_form = [&]<class Kernel>() {
+    return o.form == SphForm::renormalised ? with_rule.template operator()<Kernel, ogive::RenormalisedForm>()
+                                           : with_rule.template operator()<Kernel, ogive::StandardForm>();
+  };
+  return o.kernel == SphKernel::cubic_spline ? with_form.template operator()<ogive::CubicSpline>()
+                                             : with_form.template operator()<ogive::WendlandC2>();
+}
+
+} // namespace shot

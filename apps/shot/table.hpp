@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.hpp"
+
+#include "options/table.hpp"
+
+#include <algorithm>
+#include <array>
+
+/// \file
+/// The table of the options of a shot, and the names of their choices.
+
+namespace ogive {
+
+/// The choices of the library's enumerations, found by their namespace.
+inline auto choices(Nose) {
+  std::array<options::Choice<Nose>, all_noses.size()> noses;
+  std::transform(all_noses.begin(), all_noses.end(), noses.begin(), [](Nose nose) {
+    return options::Choice<Nose>{nose, name(nose)};
+  });
+  return noses;
+}
+constexpr auto choices(Extent) {
+  return std::to_array<options::Choice<Extent>>(
+      {{Extent::quarter, "quarter"}, {Extent::half, "half"}, {Extent::full, "full"}});
+}
+constexpr auto choices(Lattice) {
+  return std::to_array<options::Choice<Lattice>>({{Lattice::cubic, "cubic"}, {Lattice::ring, "ring"}});
+}
+constexpr auto choices(PressureLaw) {
+  return std::to_array<options::Choice<PressureLaw>>(
+      {{PressureLaw::linear, "linear"}, {PressureLaw::mie_gruneisen, "mie_gruneisen"}});
+}
+constexpr auto choices(Method) {
+  return std::to_array<options::Choice<Method>>(
+      {{Method::sfm, "sfm"}, {Method::stabilised, "stabilised"}, {Method::adaptive, "adaptive"}});
+}
+constexpr auto choices(DamageLaw) {
+  return std::to_array<options::Choice<DamageLaw>>(
+      {{DamageLaw::none, "none"}, {DamageLaw::johnson_cook, "jc"}, {DamageLaw::cockcroft_latham, "cockcroft_latham"}});
+}
+constexpr auto choices(LengthScope) {
+  return std::to_array<options::Choice<LengthScope>>(
+      {{LengthScope::everywhere, "everywhere"}, {LengthScope::in_shear, "in_shear"}});
+}
+constexpr auto choices(DamagePressure) {
+  return std::to_array<options::Choice<DamagePressure>>(
+      {{DamagePressure::own, "own"}, {DamagePressure::neighbours, "neighbours"}});
+}
+constexpr auto choices(FailureEffect) {
+  return std::to_array<options::Choice<FailureEffect>>(
+      {{FailureEffect::none, "none"}, {FailureEffect::no_tension, "no_tension"}, {FailureEffect::removal, "removal"}});
+}
+
+} // namespace ogive
+
+namespace shot {
+
+constexpr auto choices(ProjectileKind) {
+  return std::to_array<options::Choice<ProjectileKind>>(
+      {{ProjectileKind::deformable, "deformable"}, {ProjectileKind::rigid, "rigid"}});
+}
+constexpr auto choices(SphForm) {
+  return std::to_array<options::Choice<SphForm>>(
+      {{SphForm::renormalised, "renormalised"}, {SphForm::standard, "standard"}});
+}
+constexpr auto choices(SphKernel) {
+  return std::to_array<options::Choice<SphKernel>>(
+      {{SphKernel::cubic_spline, "cubic_spline"}, {SphKernel::wendland_c2, "wendland_c2"}});
+}
+constexpr auto choices(Smoothing) {
+  return std::to_array<options::Choice<Smoothing>>(
+      {{Smoothing::constant, "constant"}, {Smoothing::variable, "variable"}});
+}
+constexpr auto choices(ElementRule) {
+  return std::to_array<options::Choice<ElementRule>>(
+      {{ElementRule::one_point, "one_point"}, {ElementRule::selective_reduced, "selective_reduced"}});
+}
+
+/// Name of a choice, as the user writes it.
+template <class E> std::string name_of(E value) { return options::name_in(choices(value), value); }
+
+/// Group of the options that leave the case as it is.
+inline constexpr char run_group[] = "Run and output";
+
+/// The options of a shot, bound to `o`, in the order of the help.
+options::Table table_of(Options &o);
+
+/// A line of TOML that would be right, for errors.
+inline constexpr char toml_example[] = "thickness_mm = 12.0";
+
+} // namespace shot

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "projectile.hpp"
+
+#include "ogive/perforation/method.hpp"
+
+#include <numbers>
+
+namespace shot {
+
+/// The case of the options in SI units.
+inline ogive::PerforationCase<double> to_case(const Options &o) {
+  ogive::PerforationCase<double> c;
+  c.thickness = o.thickness_mm * 1e-3;
+  if (!o.layers_mm.empty()) c.thickness = o.layers_mm.front() * 1e-3;
+  for (std::size_t k = 1; k < o.layers_mm.size(); ++k)
+    c.behind.push_back({o.gaps_mm[k - 1] * 1e-3, o.layers_mm[k] * 1e-3});
+  c.clamp_radius = o.clamp_radius_mm * 1e-3;
+  c.sph_radius = o.sph_radius_mm * 1e-3;
+  c.spacing = o.spacing_mm * 1e-3;
+  c.lattice = o.lattice;
+  c.projectile = shape_of(o);
+  c.projectile_mass = o.mass_g * 1e-3;
+  c.obliquity = o.obliquity_deg * std::numbers::pi / 180;
+  c.initial_velocity = o.velocity_mps;
+  c.friction = o.friction;
+  c.rigid_projectile = o.projectile == ProjectileKind::rigid;
+  c.extent = o.extent;
+  return c;
+}
+
+} // namespace shot

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "limits.hpp"
+
+#include "shot/defaults.hpp"
+#include "shot/experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace study {
+
+namespace {
+
+/// The shots of a series, those that perforated thinned out to the lowest: the search steps outward by their number.
+std::vector<ogive::TriedShot<double>> tried_shots(const Key &key, const std::vector<Row> &rows, bool all) {
+  std::vector<ogive::TriedShot<double>> tried;
+  std::optional<double> lowest;
+  for (const Row &row : rows) {
+    if (series_key(row.key) != key) continue;
+    const double v = number(row.key, velocity_column);
+    const bool perforated = number(row, "perforated") != 0;
+    if (all || !perforated)
+      tried.push_back({v, perforated});
+    else
+      lowest = std::min(v, lowest.value_or(v));
+  }
+  if (lowest) tried.push_back({*lowest, true});
+  return tried;
+}
+
+/// The curve through the residual velocities of a series; nothing if no shot perforated.
+std::optional<ogive::BallisticFit<double>> fit_of(const Key &key, const std::vector<Row> &rows,
+                                                  const Published &published) {
+  std::vector<ogive::ResidualShot<double>> shots;
+  for (const Row &row : rows)
+    if (series_key(row.key) == key)
+      shots.push_back({number(row.key, velocity_column), number(row, "residual_velocity_mps")});
+  return ogive::fit_ballistic_curve<double>(shots, ogive::BallisticCurve<double>{published.a, published.p, 0});
+}
+
+std::string text_of(const std::optional<double> &value) { return value ? ogive::shortest(*value) : ""; }
+
+/// To a hundredth: what lies behind is noise.
+std::string rounded(double value) { return ogive::shortest(std::round(100 * value) / 100); }
+
+std::string origin_of(const ogive::ParameterReport<double> &report) {
+  using enum ogive::ParameterOrigin;
+  return report.origin == held ? "held" : report.origin == fitted ? "fitted" : "at bound";
+}
+
+/// The series of a list whose next shot must be run, with its velocity.
+std::vector<std::pair<const Series *, double>> next_round(const std::vector<Series> &series,
+                                                          const std::vector<Row> &rows, double width_mps) {
+  std::vector<std::pair<const Series *, double>> round;
+  for (const Series &s : series) {
+    const auto expected = ogive::expected_limit(fit_of(s.key, rows, s.published));
+    if (const auto v = ogive::next_velocity(tried_shots(s.key, rows, false), s.guess_mps, width_mps, 1, expected))
+      round.emplace_back(&s, *v);
+  }
+  return round;
+}
+
+} // namespace
+
+Key series_key(Key key) {
+  key.values[velocity_column].clear();
+  return key;
+}
+
+double guess_mps(const shot::Options &options) { return 5 * std::round((90 + 9 * options.thickness_mm) / 5); }
+
+Series series_of(const Case &shot) {
+  Series series{shot.options, series_key(shot.key), 0, find_published(shot.key)};
+  // The limits of the tests grow about so with the thickness; the search leaves a wrong guess quickly.
+  series.guess_mps = series.published.test_limit_mps.value_or(5 * std::round((90 + 9 * shot.options.thickness_mm) / 5));
+  return series;
+}
+
+std::vector<Series> series_in(const std::vector<Case> &shots) {
+  std::vector<Series> all;
+  for (const Case &shot : shots)
+    if (std::none_of(all.begin(), all.end(), [&](const Series &s) { return s.key == series_key(shot.key); }))
+      all.push_back(series_of(shot));
+  return all;
+}
+
+Case shot_of(const Series &series, double velocity_mps, const std::vector<std::string> &own_columns) {
+  shot::Options options = series.options;
+  options.velocity_mps = velocity_mps;
+  options.vtk = false;
+  return case_of(options, own_columns, "");
+}
+
+Published find_published(const Key &key) {
+  const std::string metal = key.values[material_column].starts_with("weldox") ? "Weldox 460 E" : "AA5083-H116";
+  const std::string &nose = key.values[nose_column];
+  const double thickness_mm = number(key, thickness_column);
+  const auto same = [&](const std::vector<std::string> &row) {
+    const auto thickness = row.size() > 5 ? ogive::number_from(row[4]) : std::nullopt;
+    return thickness && std::abs(*thickness - thickness_mm) < 0.01 && row[2] == metal && row[3] == nose;
+  };
+  Published p;
+  for (auto row : experiment::read_rows(experiment::data_folder() / "experiment_limits.csv")) {
+    row.insert(row.begin(), ""); // the columns then stand as in paper_simulations.csv
+    if (!same(row) || row.size() < 9) continue;
+    p.test_limit_mps = ogive::number_from(row[5]);
+    const double plug = nose == "blunt" ? experiment::plug_mass_kg(thickness_mm) : 0;
+    p.a = ogive::number_from(row[6]).value_or(experiment::projectile_mass_kg / (experiment::projectile_mass_kg + plug));
+    p.p = ogive::number_from(row[7]).value_or(2);
+  }
+  for (const auto &row : experiment::read_rows(experiment::data_folder() / "paper_simulations.csv"))
+    if (row[0] == "10" && same(row)) p.paper_velocity_mps = ogive::number_from(row[5]);
+  return p;
+}
+
+Outcome find_limits(const Study &study, std::vector<Series> series, double width_mps, const Report &report) {
+  Outcome all;
+  while (all.stopped_by == 0) {
+    const auto round = next_round(series, read_all_rows(study.out, study.own_columns), width_mps);
+    if (round.empty()) break;
+    std::vector<Case> shots;
+    for (const auto &[one, velocity] : round) shots.push_back(shot_of(*one, velocity, study.own_columns));
+    const Outcome now = run_cases(study, shots, report);
+    all.run += now.run, all.stopped_by = now.stopped_by;
+    all.failed.insert(all.failed.end(), now.failed.begin(), now.failed.end());
+    // In all other series a row more is known: the rounds end.
+    const auto rows = read_all_rows(study.out, study.own_columns);
+    for (const Case &shot : shots)
+      if (find_row(rows, shot.key) == nullptr)
+        std::erase_if(series, [&](const Series &s) { return s.key == series_key(shot.key); });
+  }
+  return all;
+}
+
+std::vector<LimitRow> limits_in(const std::vector<Series> &series, const std::vector<Row> &rows) {
+  std::vector<LimitRow> limits;
+  for (const Series &s : series) {
+    const auto tried = tried_shots(s.key, rows, true);
+    if (!tried.empty()) limits.push_back({s.key, ogive::bracket(tried), fit_of(s.key, rows, s.published), s.published});
+  }
+  return limits;
+}
+
+std::string limits_csv(const std::vector<LimitRow> &limits, const std::vector<std::string> &own_columns) {
+  std::string csv;
+  for (const auto &column : key_columns())
+    if (column != key_columns()[velocity_column]) csv += column + ",";
+  for (const auto &column : own_columns) csv += column + ",";
+  csv += "highest_stopped_mps,lowest_perforated_mps,"
+         "bisection_limit_mps,consistent,fit_limit_mps,fit_limit_se_mps,fit_a,fit_a_se,fit_a_origin,fit_p,"
+         "fit_p_se,fit_p_origin,fit_points,fit_rms_mps,test_limit_mps,paper_velocity_mps\n";
+  for (const LimitRow &row : limits) {
+    for (std::size_t k = 0; k < row.key.values.size(); ++k)
+      if (k != velocity_column) csv += csv_field(row.key.values[k]) + ",";
+    csv += text_of(row.bracket.highest_stopped) + "," + text_of(row.bracket.lowest_perforated) + ",";
+    const auto estimate = ogive::limit_estimate(row.bracket);
+    csv += (estimate ? ogive::shortest(estimate->limit) : "") + (row.bracket.consistent ? ",1," : ",0,");
+    if (row.fit) {
+      const auto &f = *row.fit;
+      const auto error = [](const ogive::ParameterReport<double> &r) {
+        return r.standard_error ? rounded(*r.standard_error) : "";
+      };
+      csv += rounded(f.curve.limit) + "," + error(f.limit) + "," + rounded(f.curve.a) + "," + error(f.a) + "," +
+             origin_of(f.a) + "," + rounded(f.curve.p) + "," + error(f.p) + "," + origin_of(f.p) + "," +
+             std::to_string(f.points) + "," + rounded(f.rms) + ",";
+    } else {
+      csv += ",,,,,,,,,,";
+    }
+    csv += text_of(row.published.test_limit_mps) + "," + text_of(row.published.paper_velocity_mps) + "\n";
+  }
+  return csv;
+}
+
+std::string described(const LimitRow &row) {
+  char text[240];
+  const auto &v = row.key.values;
+  std::string line = (v[method_column] == "sfm" ? "" : v[method_column] + ", ") + v[model_column] + ", " +
+                     v[material_column] + ", " + v[nose_column] + ", " + v[thickness_column] + " mm";
+  for (std::size_t k = key_columns().size(); k < v.size(); ++k) line += ", " + v[k];
+  line += ": ";
+  const auto estimate = ogive::limit_estimate(row.bracket);
+  if (estimate) {
+    std::snprintf(text, sizeof text, "limit %.1f +- %.1f m/s by bisection", estimate->limit, estimate->half_width);
+    line += text;
+  } else {
+    line += "no limit by bisection yet";
+  }
+  if (row.fit) {
+    const auto &f = *row.fit;
+    std::snprintf(text, sizeof text, "; fit to %zu shots: %.1f", f.points, f.curve.limit);
+    line += text;
+    if (f.limit.standard_error) {
+      std::snprintf(text, sizeof text, " +- %.1f", *f.limit.standard_error);
+      line += text;
+    }
+    std::snprintf(text, sizeof text, " m/s, a %.2f, p %.2f", f.curve.a, f.curve.p);
+    line += text;
+    if (estimate) {
+      std::snprintf(text, sizeof text, ", %+.1f m/s from the bisection", f.curve.limit - estimate->limit);
+      line += text;
+    }
+  }
+  if (row.published.test_limit_mps) line += "; test " + ogive::shortest(*row.published.test_limit_mps) + " m/s";
+  if (!row.bracket.consistent) line += "; a shot stopped above one that perforated";
+  return line;
+}
+
+} // namespace study

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "study.hpp"
+
+#include "ogive/fit/ballistic_limit.hpp"
+#include "ogive/perforation/limit_search.hpp"
+
+#include <optional>
+#include <vector>
+
+/// \file
+/// Ballistic limits: bisection on "perforated", and a curve through the residual velocities.
+
+namespace study {
+
+/// What the tests and the paper report of a limit, where they do.
+struct Published {
+  std::optional<double> test_limit_mps;
+  std::optional<double> paper_velocity_mps; ///< the paper's strike velocity close to its own limit
+  double a = 1;                             ///< of Recht and Ipson's curve through the measured limit
+  double p = 2;
+};
+
+/// Shots that differ in their velocity alone, and so have one ballistic limit.
+struct Series {
+  shot::Options options; ///< of a shot; its velocity counts for nothing
+  Key key;               ///< with an empty velocity
+  double guess_mps = 0;  ///< velocity of the first shot
+  Published published;
+};
+
+/// A series with its limits.
+struct LimitRow {
+  Key key; ///< with an empty velocity
+  ogive::LimitBracket<double> bracket;
+  std::optional<ogive::BallisticFit<double>> fit;
+  Published published;
+};
+
+/// The key without its velocity.
+Key series_key(Key key);
+
+/// The first velocity of a search where no limit is known: the limits of the tests grow about so with the thickness.
+double guess_mps(const shot::Options &options);
+
+/// The series of a shot. The first velocity is the limit of the tests, or by a rule for its thickness where there are
+/// none.
+Series series_of(const Case &shot);
+
+/// The series of all shots, each once.
+std::vector<Series> series_in(const std::vector<Case> &shots);
+
+/// The shot of a series at a velocity.
+Case shot_of(const Series &series, double velocity_mps, const std::vector<std::string> &own_columns);
+
+/// What is published about a series, from the tables of tests. Throws SetupError for a damaged table.
+Published find_published(const Key &series);
+
+/// Bisects the limits of all series to brackets of `width_mps`, round by round, each with at most one shot of a series.
+/// The first ones lie beside the limit of the curve through the residual velocities. A series whose shot failed has
+/// come to its end. Throws as run_cases().
+Outcome find_limits(const Study &study, std::vector<Series> series, double width_mps, const Report &report);
+
+/// The limits that rows give.
+std::vector<LimitRow> limits_in(const std::vector<Series> &series, const std::vector<Row> &rows);
+
+/// The limits as CSV, with a header.
+std::string limits_csv(const std::vector<LimitRow> &limits, const std::vector<std::string> &own_columns);
+
+/// One line for the terminal: bisection, fit, and the difference between them.
+std::string described(const LimitRow &row);
+
+} // namespace study

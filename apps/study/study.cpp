@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study.hpp"
+
+#include "shot/files.hpp"
+#include "shot/report.hpp"
+#include "shot/resume.hpp"
+#include "shot/run.hpp"
+#include "shot/signals.hpp"
+
+#include "ogive/io/write_error.hpp"
+
+#include <nlohmann/json.hpp>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <mutex>
+#include <thread>
+
+namespace study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One call of run_cases(). The mutex guards all below it.
+struct Work {
+  const Study &study;
+  const std::vector<Case> &cases;
+  const Report &report;
+  std::mutex mutex{};
+  std::size_t next = 0;
+  std::vector<Row> rows{};
+  Outcome outcome{};
+};
+
+/// Whether the frames that a case writes are there. Their list grows with them, also in a run that is then killed; the
+/// summary is written last.
+bool has_frames(const Study &study, const Case &shot) {
+  const fs::path folder = folder_of(study, shot);
+  std::error_code none;
+  return !shot.options.vtk ||
+         (fs::exists(folder / "summary.json", none) && fs::exists(folder / "perforation.pvd", none));
+}
+
+void keep(Work &w, const Case &shot, const Row &row) {
+  const std::lock_guard lock(w.mutex);
+  if (find_row(w.rows, shot.key) == nullptr) {
+    append_row(rows_file(w.study), row, w.study.own_columns);
+    w.rows.push_back(row);
+  }
+  char text[300];
+  std::snprintf(text, sizeof text, "%.180s: %.1f m/s, %.0f s, energy error %.3f %%", shot.name.c_str(),
+                number(row, "residual_velocity_mps"), number(row, "wall_s"), 100 * number(row, "energy_error"));
+  w.report(text);
+}
+
+void note_failure(Work &w, const Case &shot, const std::string &reason) {
+  const std::lock_guard lock(w.mutex);
+  w.outcome.failed.push_back(shot.name + ": " + reason);
+  w.report("failed: " + w.outcome.failed.back());
+}
+
+/// The row that an earlier run of this very case left without a line in the file; false if there is none.
+bool keeps_earlier_row(Work &w, const Case &shot) {
+  try {
+    if (!has_frames(w.study, shot) || !shot::has_case(shot.options, shot::plates_of(shot.options))) return false;
+    const fs::path folder = folder_of(w.study, shot);
+    keep(w, shot, row_of(shot.key, read_summary(folder), (folder / "summary.json").string()));
+    return true;
+  } catch (const ogive::SetupError &) {
+    return false; // no summary, or one of a run that a fault ended
+  }
+}
+
+/// Runs one case, or finds that it needs no run.
+void run_case(Work &w, const Case &shot) {
+  const bool known = has_frames(w.study, shot) && [&] {
+    const std::lock_guard lock(w.mutex);
+    return find_row(w.rows, shot.key) != nullptr;
+  }();
+  if (known || keeps_earlier_row(w, shot)) {
+    const std::lock_guard lock(w.mutex);
+    ++w.outcome.known;
+    return;
+  }
+  const shot::Outcome outcome = shot::run(shot::resumed(shot.options), shot::Output::none);
+  if (outcome.shot.interrupted_by != 0) return;
+  if (outcome.status != options::success) return note_failure(w, shot, outcome.problem);
+  keep(w, shot, row_of(shot.key, shot::summary_of(shot.options, outcome.shot), shot.name));
+  const std::lock_guard lock(w.mutex);
+  ++w.outcome.run;
+}
+
+/// Takes one case after another.
+void work(Work &w) {
+  omp_set_num_threads(w.study.threads);
+  for (;;) {
+    const Case *shot = nullptr;
+    {
+      const std::lock_guard lock(w.mutex);
+      if (w.next == w.cases.size() || shot::caught_signal() != 0) return;
+      shot = &w.cases[w.next++];
+    }
+    try {
+      run_case(w, *shot);
+    } catch (const std::exception &error) {
+      note_failure(w, *shot, error.what());
+    }
+  }
+}
+
+} // namespace
+
+int cores() { return std::max(1, omp_get_num_procs()); }
+
+std::string folder_name(const Key &key, const std::vector<std::string> &own_columns) {
+  const auto &v = key.values;
+  std::string name = (v[method_column] == "sfm" ? "" : v[method_column] + "_") + v[model_column] + "_" +
+                     fs::path(v[material_column]).stem().string() + "_" + v[nose_column] + "_" + v[thickness_column] +
+                     "mm_" + v[velocity_column] + "mps_" + v[spacing_column] + "mm";
+  for (std::size_t k = 0; k < own_columns.size(); ++k) name += "_" + own_columns[k] + "=" + v[key_columns().size() + k];
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+Case case_of(const shot::Options &options, const std::vector<std::string> &own_columns, const std::string &name) {
+  Case shot{options, name, key_of(options, own_columns)};
+  if (name.empty()) shot.name = folder_name(shot.key, own_columns);
+  return shot;
+}
+
+fs::path folder_of(const Study &study, const Case &shot) { return study.out / "shots" / shot.name; }
+
+fs::path rows_file(const Study &study) {
+  const std::string part =
+      study.shards > 1 ? "." + std::to_string(study.shard) + "-of-" + std::to_string(study.shards) : "";
+  return study.out / ("shots" + part + ".csv");
+}
+
+Outcome run_cases(const Study &study, const std::vector<Case> &cases, const Report &report) {
+  std::error_code error;
+  fs::create_directories(study.out / "shots", error);
+  if (error) throw ogive::write_error(study.out / "shots", error.message());
+
+  std::vector<Case> placed = cases;
+  for (Case &shot : placed) {
+    shot.options.out = folder_of(study, shot);
+    shot.options.threads.reset();
+    shot.options.picture = false;
+    shot.options.quiet = true;
+  }
+  Work w{study, placed, report};
+  w.rows = read_all_rows(study.out, study.own_columns);
+  {
+    std::vector<std::jthread> workers;
+    for (int k = 0; k < std::min<int>(study.jobs, static_cast<int>(placed.size())); ++k)
+      workers.emplace_back([&w] { work(w); });
+  }
+  w.outcome.stopped_by = shot::caught_signal();
+  return w.outcome;
+}
+
+} // namespace study

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "row.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// \file
+/// Runs the shots of a study on threads of this process, several at a time, and keeps a row of each.
+
+namespace study {
+
+/// A shot to be run.
+struct Case {
+  shot::Options options;
+  std::string name; ///< of its folder in <out>/shots
+  Key key;
+};
+
+/// Where and how the shots of a study are run.
+struct Study {
+  std::filesystem::path out;              ///< folder of the study: shots/ and the rows
+  std::vector<std::string> own_columns{}; ///< of the key, besides key_columns()
+  int jobs = 1;                           ///< shots at a time
+  int threads = 1;                        ///< of each shot
+  int shard = 1;                          ///< this process runs part `shard` of `shards`
+  int shards = 1;
+};
+
+/// What came of the shots.
+struct Outcome {
+  int run = 0;                       ///< shots run now
+  int known = 0;                     ///< shots that had been run before
+  std::vector<std::string> failed{}; ///< a line for each shot that failed
+  int stopped_by = 0;                ///< the signal that ended the work; 0: none did
+};
+
+/// Receives a line for each shot that ends.
+using Report = std::function<void(const std::string &line)>;
+
+/// A case of a study: its key and the name of its folder by the columns.
+Case case_of(const shot::Options &options, const std::vector<std::string> &own_columns, const std::string &name);
+
+/// "mjc_weldox_460e_blunt_12mm_303.5mps_0.6mm", "_column=value" for each column of the study's own, and in front the
+/// method unless it is the paper's.
+std::string folder_name(const Key &key, const std::vector<std::string> &own_columns);
+
+/// The folder of a shot.
+std::filesystem::path folder_of(const Study &study, const Case &shot);
+
+/// Cores that this process may use, shared out over the jobs: on a cluster, few of many.
+int cores();
+
+/// The file that takes the rows of this process.
+std::filesystem::path rows_file(const Study &study);
+
+/// Runs those cases of which no row is known (or no frames, where the case writes them), `study.jobs` at a time. A case
+/// that was stopped resumes from its checkpoint; the row of a case is on the disk when its shot ends. A shot that fails
+/// leaves the others alone. The first SIGINT, SIGTERM or SIGHUP lets running shots write their checkpoints and ends the
+/// work. Throws WriteError if the folder cannot be used and SetupError for damaged rows, before any shot is run.
+Outcome run_cases(const Study &study, const std::vector<Case> &cases, const Report &report);
+
+} // namespace study
