@@ -34,7 +34,7 @@ int main() {
   Mat3<double> shear = Mat3<double>::Zero();
   shear(0, 1) = 1000; // 1/s
   for (int k = 0; k < 300; ++k) point = updated(metal, point, shear, 1e-6);
-  const double expected = flow_stress(metal.flow, point.plastic_strain, 1.0, 0.0).value;
+  const double expected = flow_stress(metal, point.plastic_strain, 1.0, 0.0).value;
   const double computed = von_mises(point.deviator);
   std::printf("eps %.4f  stress %.3f MPa  Voce %.3f MPa\n", point.plastic_strain, computed * 1e-6, expected * 1e-6);
 

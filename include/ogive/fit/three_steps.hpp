@@ -41,7 +41,7 @@ inline double quasi_static_stress(const Hardening &h, double strain) {
 /// The equation for C of a point of a faster curve.
 inline RateEquation rate_equation(const FlowFrame &f, const Hardening &h, double b, const TestPoint &p,
                                   double quasi_static_rate) {
-  const double softening = thermal_factor(p.temperature, f.room, f.melting, b).value;
+  const double softening = thermal_factor(p.temperature, f.temperatures(), b).value;
   return rate_equation(f, p.stress / (quasi_static_stress(h, p.strain) * softening), p.rate, quasi_static_rate);
 }
 
@@ -56,7 +56,7 @@ inline SofteningPoint softening_point(const FlowFrame &f, const Hardening &h, do
 inline double quasi_static_factor(const FlowFrame &f, double C, double b, const TestPoint &p,
                                   double quasi_static_rate) {
   return relative_rate_factor(f, C, p.rate, quasi_static_rate) *
-         thermal_factor(p.temperature, f.room, f.melting, b).value;
+         thermal_factor(p.temperature, f.temperatures(), b).value;
 }
 
 /// True if C is taken from this point.

@@ -62,9 +62,8 @@ template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, 
   for (const T strain : {T(0), T(0.01), T(0.3)})
     for (const T rate : {m.rate_floor, T(1e3) * m.rate_floor})
       for (const T heat : {T(0), T(0.3)})
-        print.add(
-            flow_stress(m.flow, strain, rate, m.room_temperature + heat * (m.melting_temperature - m.room_temperature))
-                .value);
+        print.add(flow_stress(m, strain, rate, m.room_temperature + heat * (m.melting_temperature - m.room_temperature))
+                      .value);
 }
 
 /// Adds what a body is made of.
