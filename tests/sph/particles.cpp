@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE("the corrected gradient of a linear field is exact, at free s
   const Mat3<double> L = some_gradient();
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   check_gradient(body.points.velocity_gradient, L, 8);
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("pressures that alternate from particle to particle cancel in the mean
   const auto mean_of = [&](auto &&pressure) {
     for (Index i = 0; i < body.points.size(); ++i) body.points.pressure[i] = pressure(i);
     prepare(body, nodes);
-    velocity_gradient(body, nodes);
+    velocity_gradient(body);
   };
   mean_of([](Index) { return 5e8; });
   for (const double mean : body.points.neighbour_pressure) REQUIRE(mean == Approx(5e8)); // at free surfaces, too
@@ -215,7 +215,7 @@ TEST_CASE("the corrected gradient is exact at mirror planes for fields that resp
   L.diagonal() << 70, -40, 25;
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   check_gradient(body.points.velocity_gradient, L, 2);
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("with a variable smoothing length the corrected gradient stays exact",
   const Mat3<double> L = some_gradient();
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   check_gradient(body.points.velocity_gradient, L, 8);
 }
 
@@ -239,7 +239,7 @@ TEST_CASE("the standard form is second order inside and poor at free surfaces", 
   const Mat3<double> L = some_gradient();
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   const auto at = [&](double x, double y, double z) {
     Index best = 0;
     for (Index i = 0; i < nodes.size(); ++i)
@@ -268,7 +268,7 @@ TEMPLATE_TEST_CASE("internal forces are the transpose of the gradient and conser
     body.points.pressure[i] = u(random);
   }
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   add_internal_force(body, nodes, 0.0);
   Vec3<double> sum = Vec3<double>::Zero();
   double power = 0, scale = 0, stress_power = 0;
@@ -295,7 +295,7 @@ TEST_CASE("artificial viscosity takes energy and only from approaching pairs", "
     }
     std::fill(body.viscous_energy.begin(), body.viscous_energy.end(), 0.0);
     prepare(body, nodes);
-    velocity_gradient(body, nodes);
+    velocity_gradient(body);
     add_internal_force(body, nodes, 1.0);
     double power = 0;
     for (Index i = 0; i < nodes.size(); ++i) power += nodes.force[i].dot(nodes.velocity[i]);
@@ -322,7 +322,7 @@ TEST_CASE("a block of particles that turns as a rigid body stays free of stress"
       nodes.position[n] = x;
     }
     prepare(body, nodes);
-    velocity_gradient(body, nodes);
+    velocity_gradient(body);
     update_stress(body, dt);
   }
   // More than a full turn. Exact gradient, midstep rate: only round-off times the number of steps is left, 1e-9 of E.

@@ -30,11 +30,11 @@ template <class T> T total(const Energy<T> &e) {
 }
 
 /// Kinetic energy of nodes at the time of the latest forces, J: m/2 v_before . v_after (exact for central differences).
-template <class T> T kinetic_energy(const Nodes<T> &nodes, NodeRange range, T last_kick) {
+template <class T> T kinetic_energy(const Nodes<T> &nodes, NodeRange range, T dt_mid) {
   return ordered_sum(range.size(), T(0), [&](Index i) {
     const Index n = range.begin + i;
     const Vec3<T> &v = nodes.velocity[n];
-    return T(0.5) * (nodes.mass[n] * v.squaredNorm() - last_kick * v.dot(nodes.force[n]));
+    return T(0.5) * (nodes.mass[n] * v.squaredNorm() - dt_mid * v.dot(nodes.force[n]));
   });
 }
 
@@ -51,7 +51,7 @@ template <class T, class Body> T elastic_energy(const Body &body) {
 /// The energy ledger of a model at the time of its latest forces.
 template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &model) {
   Energy<T> e;
-  e.kinetic = kinetic_energy(model.nodes, NodeRange{0, model.nodes.size()}, model.last_kick);
+  e.kinetic = kinetic_energy(model.nodes, NodeRange{0, model.nodes.size()}, model.last_mid_step);
   for_each_body(model, [&](const auto &body) {
     const T elastic = elastic_energy<T>(body);
     e.elastic += elastic;

@@ -37,7 +37,7 @@ template <class T, class... Bodies> struct Model {
   T time = T(0);                             ///< s, of the positions
   std::int64_t steps = 0;                    ///< made so far
   T last_step = T(0);                        ///< s, interval before the present time
-  T last_kick = T(0);                        ///< s, interval over which the last forces changed the velocities
+  T last_mid_step = T(0);                    ///< s, interval over which the last forces changed the velocities
   PhaseTimes times{};                        ///< s of wall time, of all steps and runs
   Vec3<T> support_impulse = Vec3<T>::Zero(); ///< N s, given by held nodes to the computed part of the model
 };

@@ -30,7 +30,7 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
   f("time", model.time);
   f("steps", model.steps);
   f("last step", model.last_step);
-  f("last kick", model.last_kick);
+  f("last middle step", model.last_mid_step);
   f("support impulse", model.support_impulse);
   f("wall times", model.times.seconds);
   for_each_run_field(run, f);

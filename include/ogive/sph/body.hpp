@@ -14,6 +14,25 @@
 #include <string>
 #include <vector>
 
+/// \file
+/// A body of particles. It has two numberings:
+///
+///     particle i   0 ... n-1, never changes; node nodes.begin + i, material point i, end of a bond
+///     place k      order in memory of what neighbours read, made anew with the lists:
+///
+///                  | cluster 0     | cluster 1     | ...  | mirror images            |
+///                  | lanes<T> places each, near ones together | order.size() + g      |
+///                    order[k] is the particle at place k      images[g] has its place
+///
+/// The way of the data through a step; by particle on the left, by place on the right:
+///
+///     nodes: x, v; points: density, ...   -- prepare() -->              pair_data: x, v, volume, ...; lists
+///     points: velocity_gradient           <-- velocity_gradient() --    pair_data, lists
+///                                                                       writes pair_data.correction, lists.within
+///     points: stress, ...                 -- update_stress(), each particle alone
+///     points: stress                      -- add_internal_force() -->   pair_data.flux
+///     nodes: force                        <-- add_internal_force() --   pair_data, lists.within
+
 namespace ogive {
 
 /// The renormalised symmetric form: gradients corrected so that linear fields are exact, forces their transpose

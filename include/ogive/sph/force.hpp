@@ -86,6 +86,8 @@ template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, La
 }
 
 /// Adds the internal forces of the particles to their nodes, and the work of viscosity over `dt` (s) to its ledger.
+/// Call it after velocity_gradient() and update_stress(). Reads the points' stress and density, the pair data and the
+/// entries within the support; writes the fluxes and densities of the pair data.
 template <class T, class Law, class K, class F>
 void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
   gather_fluxes(body);
