@@ -42,7 +42,7 @@ int main() {
   auto model = make_perforation(shot, metal, library::arne_tool_steel<double>());
   const RunOptions<double> until{.end_time = 10e-6};
   const auto result = run(model, until, [](const auto &, const auto &) { return true; });
-  const auto &strain = disc(model).points.plastic_strain;
+  const auto &strain = plate_particles(model).points.plastic_strain;
   std::printf("plate: largest plastic strain %.3f\n", *std::max_element(strain.begin(), strain.end()));
   return !result.fault && std::abs(computed / expected - 1) < 1e-8 ? 0 : 1;
 }

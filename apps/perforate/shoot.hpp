@@ -21,12 +21,12 @@ template <class M> Sizes sizes_of(const M &model) {
   Sizes s;
   const auto &shot = ogive::projectile(model);
   s.hexes = static_cast<long>(shot.hexes.size());
-  for (const auto &rim : ogive::rims(model)) s.hexes += static_cast<long>(rim.hexes.size());
-  for (const auto &disc : ogive::discs(model)) {
+  for (const auto &rim : model.bodies.plate_hexes) s.hexes += static_cast<long>(rim.hexes.size());
+  for (const auto &disc : model.bodies.plate_particles) {
     s.particles += disc.points.size();
     s.plate_disc_mass_g += ogive::whole_mass(disc.point_mass, model.symmetry) * 1e3;
   }
-  s.spacing_mm = ogive::disc(model).spacing * 1e3;
+  s.spacing_mm = ogive::plate_particles(model).spacing * 1e3;
   s.projectile_mass_g = ogive::whole_mass(shot.point_mass, model.symmetry) * 1e3;
   double nodal = 0;
   for (ogive::Index n = shot.nodes.begin; n < shot.nodes.end; ++n) nodal += model.nodes.mass[n];
@@ -101,7 +101,7 @@ Shot shoot_with(const Options &options, const std::vector<ogive::Metal<double, L
       ogive::make_perforation<Kernel, Form, Rule>(c, plates, ogive::library::arne_tool_steel<double>(), numerics);
   const auto &shape = c.projectile;
   std::vector<std::vector<ogive::Vec3<double>>> undeformed;
-  for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::disc_positions(model, k));
+  for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::plate_positions(model, k));
   const std::vector<material_file::AnyMetal> metals(plates.begin(), plates.end());
 
   Shot shot;

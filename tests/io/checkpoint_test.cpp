@@ -40,8 +40,7 @@ template <class T = double> auto small_model(double friction = 0.1, T young = T(
   for (Index n = block.nodes.begin; n < block.nodes.end; ++n) slaves.push_back(n);
   auto contact = make_contact(nodes, slaves, std::vector<T>(slaves.size(), T(0.5 * spacing)), boundary_facets(mesh),
                               "contact", ContactOptions<T>{.friction = T(friction)});
-  Model<T, decltype(target), decltype(block)> model{std::move(nodes), std::tuple(std::move(target), std::move(block)),
-                                                    SymmetryPlanes{}};
+  Model model{std::move(nodes), std::tuple(std::move(target), std::move(block)), SymmetryPlanes{}};
   model.contacts.push_back(std::move(contact));
   return model;
 }

@@ -94,7 +94,7 @@ Rod rod_of_hexes(const TaylorCase<Law> &c, double spacing, double hourglass_stif
     if (nodes.position[n][2] < 1e-9) nodes.held[n] |= held_z;
   const NodeRange range = rod.nodes;
   using Body = HexBody<double, Law, Rule>;
-  Model<double, Body> model{std::move(nodes), std::tuple<Body>(std::move(rod)), planes};
+  Model<double, std::tuple<Body>> model{std::move(nodes), std::tuple<Body>(std::move(rod)), planes};
   return fly_against_wall(model, range, c);
 }
 
@@ -115,7 +115,7 @@ inline Rod rod_of_particles(const TaylorCase<Steel> &c, double spacing) {
   const auto facets = facets_off_planes(boundary_facets(mesh), mesh.positions, planes, 0.0);
   auto contact = make_contact(nodes, slaves, std::vector<double>(slaves.size(), distance / 2),
                               shifted(facets, wall.begin), "wall", {}, planes);
-  Model<double, Sph> model{std::move(nodes), std::tuple<Sph>(std::move(rod)), planes};
+  Model<double, std::tuple<Sph>> model{std::move(nodes), std::tuple<Sph>(std::move(rod)), planes};
   model.contacts.push_back(std::move(contact));
   Rod end = fly_against_wall(model, range, c);
   end.length += distance; // from centres to surfaces

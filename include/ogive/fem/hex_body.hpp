@@ -12,6 +12,7 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,14 @@ template <class T, class Law, class Rule = OnePoint> struct HexBody {
   std::vector<Vec3<T>> corner_force;                      ///< N, entry 8 * hex + corner
   CornersOfNodes corners_of_nodes;                        ///< from which nodes gather their forces; constant
 };
+
+/// Whether a type is a HexBody.
+template <class Body> inline constexpr bool is_hex_body = false;
+template <class T, class Law, class Rule> inline constexpr bool is_hex_body<HexBody<T, Law, Rule>> = true;
+
+/// A body of hexes, constant or not.
+template <class Body>
+concept BodyOfHexes = is_hex_body<std::remove_const_t<Body>>;
 
 /// Calls `f(name, unit, values)` for each field of the state of a body of hexes that is not a material point's.
 template <class Body, class F> void for_each_hex_field(Body &&body, F &&f) {

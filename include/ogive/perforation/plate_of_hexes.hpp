@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,20 +51,20 @@ add_plate_of_hexes(Nodes<T> &nodes, const PerforationCase<T> &c, Metal<T, Law> m
   // Failed metal bears pressure only. A failed hex bears nothing, until it is a particle.
   metal.damage.effect = FailureEffect::no_tension;
   Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>> plates;
-  plates.discs.push_back(
+  plates.particles.push_back(
       add_sph_body<Kernel, Form>(nodes, layout, metal, "disc", symmetry_planes(c.extent), options.sph));
   metal.damage = regularised(metal.damage, layout.spacing);
   metal.damage.effect = FailureEffect::removal;
-  plates.rims.push_back(add_hex_body<Rule>(nodes, mesh, metal, "plate", options.plate_hex));
+  plates.hexes.push_back(add_hex_body<Rule>(nodes, mesh, metal, "plate", options.plate_hex));
   return plates;
 }
 
 /// Lets the hexes of a plate turn into particles: its own contact, between what shows of the hexes and the particles,
 /// and the conversion.
 template <class M, class T> void add_conversion(M &model, const PerforationOptions<T> &options) {
-  const auto &particles = std::get<0>(model.bodies).front();
-  const auto &hexes = std::get<1>(model.bodies).front();
   Conversion<T> conversion;
+  const auto &particles = model.bodies.plate_particles[conversion.plate];
+  const auto &hexes = model.bodies.plate_hexes[conversion.plate];
   conversion.options = options.conversion;
   conversion.neighbours = face_neighbours(hexes.hexes, model.nodes, model.symmetry);
   std::vector<Index> slaves(particles.nodes.size());

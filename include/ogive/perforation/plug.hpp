@@ -74,13 +74,13 @@ template <class T> struct PlateCell {
 
 /// The cell of a plate now.
 template <class M> auto plate_cell(const M &model, Index i, std::size_t layer = 0) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   const auto &nodes = model.nodes;
   using T = std::decay_t<decltype(body.spacing)>;
   if (!is_unborn(body, i))
     return PlateCell<T>{nodes.position[body.nodes.begin + i], nodes.velocity[body.nodes.begin + i],
                         body.points.temperature[i]};
-  const auto &hexes = rim(model, layer);
+  const auto &hexes = plate_hexes(model, layer);
   const Index points = hexes.points.size() / static_cast<Index>(hexes.hexes.size());
   PlateCell<T> cell;
   for (const Index n : hexes.hexes[i])
@@ -89,7 +89,7 @@ template <class M> auto plate_cell(const M &model, Index i, std::size_t layer = 
   return cell;
 }
 
-/// What each cell of the plate belongs to: each particle of the disc, or the hex that it has not yet come from.
+/// What each cell of the plate belongs to: each particle, or the hex that it has not yet come from.
 struct Pieces {
   std::vector<Index> of;    ///< the piece of each cell, of connected_pieces() or pieces_of_hexes()
   std::vector<bool> at_rim; ///< by piece: it hangs on the rim
@@ -106,12 +106,13 @@ struct Pieces {
 /// which of them the tie holds on the rim; or pieces of hexes, and which of them reach beyond those that can turn into
 /// particles.
 template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::size_t layer = 0) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   using T = std::decay_t<decltype(body.spacing)>;
   Pieces p;
   const bool of_hexes = !model.conversions.empty();
   const Index n = body.points.size();
-  p.of = of_hexes ? pieces_of_hexes(rim(model, layer)) : connected_pieces(body, model.nodes, T(ratio) * body.spacing);
+  p.of = of_hexes ? pieces_of_hexes(plate_hexes(model, layer))
+                  : connected_pieces(body, model.nodes, T(ratio) * body.spacing);
   p.at_rim.assign(p.of.size(), false), p.failed.assign(n, false);
   for (std::size_t e = n; e < p.of.size(); ++e) p.at_rim[p.of[e]] = true;
   p.of.resize(n);
@@ -120,7 +121,8 @@ template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::s
       if (t.slave >= body.nodes.begin && t.slave < body.nodes.end) p.at_rim[p.of[t.slave - body.nodes.begin]] = true;
   std::vector<T> mass(n, T(0));
   for (Index i = 0; i < n; ++i) {
-    p.failed[i] = of_hexes ? is_removed(rim(model, layer), i) : is_failed(body.metal.damage, body.points.damage[i]);
+    p.failed[i] =
+        of_hexes ? is_removed(plate_hexes(model, layer), i) : is_failed(body.metal.damage, body.points.damage[i]);
     mass[p.of[i]] += body.point_mass[i];
   }
   for (Index i = 0; i < n; ++i)
@@ -131,7 +133,7 @@ template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::s
 /// Plug and debris of a plate: pieces of sound particles that no chain of neighbours nearer than `ratio` particle
 /// distances connects to the rim. In a quarter model a piece is taken with its mirror images.
 template <class M> auto find_fragments_of(const M &model, std::size_t layer, double ratio = 1.5) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   using T = std::decay_t<decltype(body.spacing)>;
   const Pieces pieces = find_pieces(model, ratio, layer);
   Fragments<T> f;
@@ -159,7 +161,7 @@ template <class M> auto find_fragments_of(const M &model, std::size_t layer, dou
 /// Plugs and debris of all plates together: the masses of the plates' plugs are added up.
 template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   auto whole = find_fragments_of(model, 0, ratio);
-  for (std::size_t layer = 1; layer < discs(model).size(); ++layer) {
+  for (std::size_t layer = 1; layer < model.bodies.plate_particles.size(); ++layer) {
     const auto next = find_fragments_of(model, layer, ratio);
     if (const auto mass = whole.plug_mass + next.plug_mass; mass > 0)
       whole.plug_velocity = (whole.plug_mass * whole.plug_velocity + next.plug_mass * next.plug_velocity) / mass;
@@ -173,18 +175,18 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
 }
 
 /// True once a piece of at least 1 g has come off the plate; of several plates, off each one of its share of that by
-/// the masses of the discs.
+/// the masses of the particles.
 template <class M> bool is_plug_loose(const M &model) {
   double all = 0;
-  for (const auto &body : discs(model)) all += double(whole_mass(body.point_mass, model.symmetry));
-  for (std::size_t layer = 0; layer < discs(model).size(); ++layer) {
-    const double share = double(whole_mass(disc(model, layer).point_mass, model.symmetry)) / all;
+  for (const auto &body : model.bodies.plate_particles) all += double(whole_mass(body.point_mass, model.symmetry));
+  for (std::size_t layer = 0; layer < model.bodies.plate_particles.size(); ++layer) {
+    const double share = double(whole_mass(plate_particles(model, layer).point_mass, model.symmetry)) / all;
     if (!(find_fragments_of(model, layer).plug_mass > 1e-3 * share)) return false;
   }
   return true;
 }
 
-/// How far the particle of a disc that is deepest inside the projectile lies behind its surface, m; 0 if none is
+/// How far the particle of a plate that is deepest inside the projectile lies behind its surface, m; 0 if none is
 /// inside. Removed particles may be anywhere.
 template <class M, class Body> auto largest_intrusion_of(const M &model, const Body &body) {
   const auto &contact = model.contacts.front();
@@ -216,11 +218,11 @@ template <class M, class Body> auto largest_intrusion_of(const M &model, const B
   });
 }
 
-/// The same for the particles of all discs.
+/// The same for the particles of all plates.
 template <class M> auto largest_intrusion(const M &model) {
-  auto deepest = largest_intrusion_of(model, disc(model));
-  for (std::size_t layer = 1; layer < discs(model).size(); ++layer)
-    deepest = std::max(deepest, largest_intrusion_of(model, disc(model, layer)));
+  auto deepest = largest_intrusion_of(model, plate_particles(model));
+  for (std::size_t layer = 1; layer < model.bodies.plate_particles.size(); ++layer)
+    deepest = std::max(deepest, largest_intrusion_of(model, plate_particles(model, layer)));
   return deepest;
 }
 

@@ -49,7 +49,7 @@ template <class T, class Body> T elastic_energy(const Body &body) {
 }
 
 /// The energy ledger of a model at the time of its latest forces.
-template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> Energy<T> energy(const Model<T, Bodies> &model) {
   Energy<T> e;
   e.kinetic = kinetic_energy(model.nodes, NodeRange{0, model.nodes.size()}, model.last_mid_step);
   for_each_body(model, [&](const auto &body) {
@@ -73,7 +73,7 @@ template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &
 }
 
 /// Momentum of the whole model, kg m/s; components normal to mirror planes cancel.
-template <class T, class... Bodies> Vec3<T> momentum(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> Vec3<T> momentum(const Model<T, Bodies> &model) {
   const Nodes<T> &nodes = model.nodes;
   Vec3<T> p = T(model.symmetry.copies()) * ordered_sum(nodes.size(), Vec3<T>(Vec3<T>::Zero()), [&](Index n) -> Vec3<T> {
                 return nodes.mass[n] * nodes.velocity[n];

@@ -3,6 +3,7 @@
 
 #include "ogive/contact/particle_search.hpp"
 #include "ogive/contact/search.hpp"
+#include "ogive/fem/hex_body.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/run.hpp"
 #include "ogive/sph/body.hpp"
@@ -22,6 +23,22 @@ template <class Values> struct FullOrEmpty {
 
 /// The array tells the type.
 template <class Values> FullOrEmpty(Values &, std::size_t) -> FullOrEmpty<Values>;
+
+/// Calls `f(name, value)` for all of the state of a body of hexes that is not a material point's.
+template <BodyOfHexes Body, class F> void for_each_own_field(Body &body, F &&f) {
+  for_each_hex_field(body, [&](const char *name, const char *, auto &values) { f(name, values); });
+}
+
+/// Calls `f(name, value)` for all of the state of a body of particles that is not a material point's.
+template <BodyOfParticles Body, class F> void for_each_own_field(Body &body, F &&f) {
+  f("viscous_energy", body.viscous_energy);
+  f("unborn", body.unborn);
+  f("moments of bonds", body.bonds.moment);
+  f("energy of bonds", body.bonds.energy);
+  f("support of the lists", body.neighbours.support);
+  FullOrEmpty built_at{body.neighbours.built_at, body.point_mass.size()};
+  f("positions of the lists", built_at);
+}
 
 /// Calls `f(name, value)` for all that a run changes and needs to go on to the same bits: the one list that checkpoints
 /// write and read. A value is a number, a vector of fixed length, an array whose length the model gives, or
@@ -47,17 +64,7 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     field("yield", body.points.yield);
     field("yield_strain", body.points.yield_strain);
     field("yield_temperature", body.points.yield_temperature);
-    if constexpr (requires { body.hexes; }) {
-      for_each_hex_field(body, named);
-    } else {
-      field("viscous_energy", body.viscous_energy);
-      field("unborn", body.unborn);
-      field("moments of bonds", body.bonds.moment);
-      field("energy of bonds", body.bonds.energy);
-      field("support of the lists", body.neighbours.support);
-      FullOrEmpty built_at{body.neighbours.built_at, body.point_mass.size()};
-      field("positions of the lists", built_at);
-    }
+    for_each_own_field(body, field);
   });
   for (auto &contact : model.contacts) {
     const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
@@ -89,14 +96,19 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
                               [&](const char *name, auto &value) { f("conversion " + std::string(name), value); });
 }
 
+/// Makes the neighbour lists of a body anew, from the positions that they were made from.
+template <class T, class Law, class K, class F> void renew_lists(SphBody<T, Law, K, F> &body) {
+  if (const std::vector<Vec3<T>> built_at = body.neighbours.built_at; !built_at.empty())
+    build_lists(body, std::span<const Vec3<T>>(built_at), body.neighbours.support);
+}
+
+/// Nothing: hexes have no lists.
+template <class T, class Law, class Rule> void renew_lists(HexBody<T, Law, Rule> &) {}
+
 /// Makes the neighbour lists and the candidates of contacts anew, from the positions that they were made from: the same
 /// lists to the last entry, so that all sums have the same order.
-template <class T, class... Bodies> void renew_lists(Model<T, Bodies...> &model) {
-  for_each_body(model, [](auto &body) {
-    if constexpr (requires { body.neighbours; })
-      if (const std::vector<Vec3<T>> built_at = body.neighbours.built_at; !built_at.empty())
-        build_lists(body, std::span<const Vec3<T>>(built_at), body.neighbours.support);
-  });
+template <class T, class Bodies> void renew_lists(Model<T, Bodies> &model) {
+  for_each_body(model, [](auto &body) { renew_lists(body); });
   for (auto &contact : model.contacts) {
     if (contact.searched_at.empty()) continue;
     Nodes<T> then;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 /// \file
@@ -87,6 +88,14 @@ template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = Renorma
   PairData<T> pair_data;            ///< what neighbours see, made anew in each step
   Bonds<T> bonds;                   ///< against zero-energy modes; none unless the options ask for them
 };
+
+/// Whether a type is an SphBody.
+template <class Body> inline constexpr bool is_sph_body = false;
+template <class T, class Law, class K, class F> inline constexpr bool is_sph_body<SphBody<T, Law, K, F>> = true;
+
+/// A body of particles, constant or not.
+template <class Body>
+concept BodyOfParticles = is_sph_body<std::remove_const_t<Body>>;
 
 /// Particles that fill a shape: positions in m, and the volume of each in m3.
 template <class T> struct ParticleLayout {
