@@ -159,10 +159,10 @@ template <class T, class F> Mat3<Pack<T>> load_gradients(const MaterialPoints<T>
   return L;
 }
 
-/// Remembers the flow stress at the smallest rate of a point that did not flow.
-template <class T> void remember_yield(MaterialPoints<T> &p, Index i, T yield) {
+/// Keeps the flow stress at the smallest rate, `yield` (Pa), of a point that did not flow.
+template <class T> void keep_yield(MaterialPoints<T> &p, Index i, T yield) {
   if (yield < T(0)) return;
-  p.yield[i] = yield, p.yield_strain[i] = p.plastic_strain[i], p.yield_temperature[i] = p.temperature[i];
+  p.quasi_static_yield[i] = yield, p.yield_strain[i] = p.plastic_strain[i], p.yield_temperature[i] = p.temperature[i];
 }
 
 /// Moves those of the points [begin, end) that stay elastic through a step, several at once, and calls `others(i)` for
@@ -181,7 +181,7 @@ void update_elastic_points(Body &body, Index begin, Index end, T dt, F &&others)
     auto trial = elastic_trial(metal, old, load_gradients(p, index_of), dt);
     balance(metal, old, trial.point, trial.deformation_rate, dt, -infinity, infinity);
     // Written so that a NaN is not taken for elastic.
-    auto elastic = (trial.equivalent_stress <= of(p.yield)) & (old.plastic_strain <= of(p.yield_strain)) &
+    auto elastic = (trial.equivalent_stress <= of(p.quasi_static_yield)) & (old.plastic_strain <= of(p.yield_strain)) &
                    (old.plastic_strain >= of(p.yield_strain)) & (old.temperature <= of(p.yield_temperature)) &
                    (old.temperature >= of(p.yield_temperature));
     if (metal.damage.effect != FailureEffect::none) elastic = elastic & (old.damage < Pack<T>(T(1)));
@@ -211,7 +211,7 @@ template <class Body, class T> void update_points(Body &body, std::span<const In
       if (is_failed(metal.damage, now.damage))
         lose_stress(metal, lane_of(old, lane), now, lane_of(trial.deformation_rate, lane), dt);
       store(p, points[first + lane], now);
-      remember_yield(p, points[first + lane], after.yield[lane]);
+      keep_yield(p, points[first + lane], after.yield[lane]);
     }
   }
 }
@@ -234,7 +234,7 @@ template <class Body, class T> void update_stress(Body &body, T dt) {
       const auto after = advanced(body.metal, load(body.points, i), body.points.velocity_gradient[i], dt,
                                   mean.empty() ? std::nullopt : std::optional<T>(mean[i]));
       store(body.points, i, after.point);
-      remember_yield(body.points, i, after.yield);
+      keep_yield(body.points, i, after.yield);
     });
     if constexpr (PackedFlowLaw<decltype(body.metal.flow), T>)
       update_points(body, std::span<const Index>(several.data(), count), dt);

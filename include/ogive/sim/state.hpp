@@ -60,10 +60,7 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     const auto named = [&](const char *name, const char *, auto &values) { field(name, values); };
     field("velocity_gradient", body.points.velocity_gradient);
     for_each_point_field(body.points, named);
-    // Not part of the state, but a point that is known to be elastic goes another way, with other last bits.
-    field("yield", body.points.yield);
-    field("yield_strain", body.points.yield_strain);
-    field("yield_temperature", body.points.yield_temperature);
+    for_each_yield_field(body.points, named);
     for_each_own_field(body, field);
   });
   for (auto &contact : model.contacts) {
