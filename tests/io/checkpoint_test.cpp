@@ -98,13 +98,13 @@ TEST_CASE("a checkpoint with a contact on a facet that is not there is refused")
   for (auto NodeToSurface<double>::*forces : {&NodeToSurface<double>::forces, &NodeToSurface<double>::opposite}) {
     auto model = small_model();
     auto &contact = model.contacts[0];
-    contact.opposite.resize(contact.slaves.size());
+    contact.state.opposite.resize(contact.slaves.size());
     RunState<double> state;
     run_steps(model, state, 5);
     (contact.*forces)[0].facet = static_cast<Index>(contact.facets.size());
     write_checkpoint(folder.path / "checkpoint.bin", model, state);
     auto other = small_model();
-    other.contacts[0].opposite.resize(contact.slaves.size());
+    other.contacts[0].state.opposite.resize(contact.slaves.size());
     CHECK(refusal([&] {
             restore(read_checkpoint(folder.path / "checkpoint.bin"), other, state);
           }).find("is damaged: contact facet cannot be") != std::string::npos);

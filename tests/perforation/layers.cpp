@@ -105,8 +105,8 @@ TEST_CASE("what flies through the hole of a plate is not taken for within its ri
     for (const double depth : {2e-3, 3.2e-3, 4.5e-3, 5.9e-3, 6.1e-3}) CHECK(force_at(radius, depth).norm() == 0);
   CHECK(force_at(c.sph_radius + 5e-3, 3e-3 + 0.1e-3 - half)[2] > 0); // on the second rim's front face
   CHECK(force_at(c.sph_radius + 5e-3, 6e-3 - 0.1e-3 + half)[2] < 0); // on its rear face
-  CHECK(model.contacts[1].lost == -1);
-  CHECK(model.contacts[2].lost == -1);
+  CHECK(model.contacts[1].state.lost == -1);
+  CHECK(model.contacts[2].state.lost == -1);
 }
 
 TEST_CASE("one plate is built as it was: no contact but that with the projectile", "[perforation]") {

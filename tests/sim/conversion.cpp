@@ -40,7 +40,7 @@ auto convertible_brick(Index nx, Index ny, Index nz, double h, double failure_st
   for (Index n = particles.nodes.begin; n < particles.nodes.end; ++n) slaves.push_back(n);
   auto contact = make_contact(nodes, slaves, std::vector<double>(slaves.size(), h / 2),
                               exposed_facets(hexes.hexes, conversion.neighbours, [](Index) { return false; }), "own");
-  contact.reference_time_step = 0.4 * h / sound_speed(metal);
+  contact.state.reference_time_step = 0.4 * h / sound_speed(metal);
   auto far =
       add_hex_body(nodes, brick_at(1, 1, 1, V(1, 1, 1), V(10, 10, 10)), library::arne_tool_steel<double>(), "far");
   PerforationBodies<decltype(particles), decltype(hexes), decltype(far)> bodies{{particles}, {hexes}, far};
@@ -251,13 +251,13 @@ TEST_CASE("a particle rests on hexes, and one that is born overlapping them gain
     nodes.position[n] = V(1.5e-3, 1.5e-3, 1.8e-3);
     const double before = total(energy(model));
     for (int i = 0; i < 50; ++i) step(model, stable_time_step(model));
-    CHECK(contact.present_offset[e] == Approx(-0.2e-3).epsilon(1e-6));
+    CHECK(contact.state.present_offset[e] == Approx(-0.2e-3).epsilon(1e-6));
     CHECK(nodes.velocity[n].norm() == Approx(0).margin(1e-9));
     CHECK(std::abs(total(energy(model)) - before) < 1e-9);
     // Pulled out it has its full size again, and no energy from that.
     nodes.velocity[n] = V(0, 0, 50);
     while (nodes.position[n][2] < 3.5e-3) step(model, stable_time_step(model));
-    CHECK(contact.present_offset[e] == 0.5e-3);
+    CHECK(contact.state.present_offset[e] == 0.5e-3);
     CHECK(nodes.velocity[n][2] == Approx(50).epsilon(1e-9));
   }
   SECTION("born as deep as a slave may get, it is not lost when it is pressed on, and comes back no faster") {
@@ -270,7 +270,7 @@ TEST_CASE("a particle rests on hexes, and one that is born overlapping them gain
       lowest = std::min(lowest, nodes.position[n][2]);
     }
     CHECK(lowest < 2e-3);
-    CHECK(contact.lost < 0);
+    CHECK(contact.state.lost < 0);
     CHECK(nodes.velocity[n][2] > 0);
     CHECK(nodes.velocity[n].norm() < 20.5);
   }

@@ -90,11 +90,11 @@ TEST_CASE("a plate that loses its particles keeps energy and momentum, and the p
   CHECK(fragments.failed_mass > 0);
   Index released = 0;
   for (std::size_t s = 0; s < contact.slaves.size(); ++s) {
-    if (contact.slave_mass[s] > 0) continue;
+    if (contact.state.slave_mass[s] > 0) continue;
     ++released;
     CHECK(is_removed(body, contact.slaves[s] - body.nodes.begin));
-    CHECK(contact.forces[s].normal.norm() == 0);
-    CHECK(contact.forces[s].friction.norm() == 0);
+    CHECK(contact.state.forces[s].normal.norm() == 0);
+    CHECK(contact.state.forces[s].friction.norm() == 0);
   }
   CHECK(released == (effect == FailureEffect::removal ? failed : 0));
 }

@@ -117,10 +117,10 @@ template <class T, class Bodies> void check_restored(const Model<T, Bodies> &mod
   for_each_body(model, [&](const auto &body) { check_lists(body, need); });
   for (const auto &contact : model.contacts) {
     const auto slaves = static_cast<Index>(contact.slaves.size()), facets = static_cast<Index>(contact.facets.size());
-    need(are_places(contact.searched_at), contact.name + " positions of the search");
-    need(are_places(contact.seen_at), contact.name + " positions of the last look");
-    need(contact.lost >= -1 && contact.lost < slaves, contact.name + " lost slave");
-    for (const auto *forces : {&contact.forces, &contact.opposite})
+    need(are_places(contact.state.searched_at), contact.name + " positions of the search");
+    need(are_places(contact.state.checked_at), contact.name + " positions of the last check");
+    need(contact.state.lost >= -1 && contact.state.lost < slaves, contact.name + " lost slave");
+    for (const auto *forces : {&contact.state.forces, &contact.state.opposite})
       need(std::all_of(forces->begin(), forces->end(),
                        [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
            contact.name + " facet");

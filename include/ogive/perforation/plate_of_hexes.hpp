@@ -73,7 +73,7 @@ template <class M, class T> void add_conversion(M &model, const PerforationOptio
       model.nodes, std::move(slaves), std::vector<T>(particles.nodes.size(), T(0.5) * particles.spacing),
       exposed_facets(hexes.hexes, conversion.neighbours, [](Index) { return false; }), "particles on plate",
       ContactOptions<T>{.stiffness = options.contact_stiffness, .may_bury = true}, model.symmetry);
-  contact.reference_time_step = model.contacts.front().reference_time_step;
+  contact.state.reference_time_step = model.contacts.front().state.reference_time_step;
   conversion.surface = model.contacts.size();
   model.contacts.push_back(std::move(contact));
   begin_conversion(conversion, model);

@@ -121,7 +121,7 @@ void add_rim_contacts(std::vector<NodeToSurface<T>> &contacts, const Nodes<T> &n
     }
     contacts.push_back(make_contact(nodes, std::move(slaves.nodes), std::move(slaves.offset), facets[k].skin,
                                     "plates on " + rims[k].name, options, first.symmetry));
-    contacts.back().reference_time_step = first.reference_time_step;
+    contacts.back().state.reference_time_step = first.state.reference_time_step;
   }
 }
 

@@ -165,7 +165,7 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
                                                 .stiffness = options.contact_stiffness,
                                                 .rigid_masters = c.rigid_projectile},
                               planes);
-  contact.reference_time_step = step_of_contact;
+  contact.state.reference_time_step = step_of_contact;
   std::vector<NodeToSurface<T>> contacts{std::move(contact)};
   std::vector<ParticleContact<T>> particle_contacts;
   if (layers > 1) {

@@ -208,8 +208,8 @@ template <class T, class Bodies> void begin_conversion(const Conversion<T> &conv
   });
   for (auto &contact : model.contacts) {
     contact.follows = true;
-    contact.present_offset = contact.offset;
-    contact.opposite.resize(contact.slaves.size());
+    contact.state.present_offset = contact.offset;
+    contact.state.opposite.resize(contact.slaves.size());
     follow_slaves(contact, model.nodes, T(0));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/contact/force.hpp"
+#include "ogive/contact/ledger.hpp"
 #include "ogive/contact/particle_force.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/sim/model.hpp"

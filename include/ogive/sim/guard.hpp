@@ -103,8 +103,8 @@ std::optional<Fault> find_inverted(const Model<T, Bodies> &model, Index least_po
 /// projectile or from one plate into the next.
 template <class T, class Bodies> std::optional<Fault> find_lost(const Model<T, Bodies> &model) {
   for (const auto &contact : model.contacts) {
-    if (contact.lost < 0) continue;
-    const Index node = contact.slaves[contact.lost];
+    if (contact.state.lost < 0) continue;
+    const Index node = contact.slaves[contact.state.lost];
     std::ostringstream what;
     what << "lies more than " << 1e3 * double(contact.search_margin) << " mm behind the surface of the contact \""
          << contact.name << "\", at " << in_mm(model.nodes.position[node]);

@@ -71,7 +71,7 @@ template <class T, class Bodies> T stable_time_step(const Model<T, Bodies> &mode
   T dt = std::numeric_limits<T>::max();
   for_each_deformable(model, [&](const auto &body) { dt = std::min(dt, stable_time_step(body, model.nodes)); });
   for (const auto &contact : model.contacts)
-    if (contact.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.reference_time_step);
+    if (contact.state.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.state.reference_time_step);
   return dt;
 }
 

@@ -65,19 +65,19 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
   });
   for (auto &contact : model.contacts) {
     const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
-    field("slave_mass", contact.slave_mass);
-    field("reference_time_step", contact.reference_time_step);
-    field("forces", contact.forces);
-    field("opposite forces", contact.opposite);
-    field("normal_energy", contact.normal_energy);
-    field("friction_energy", contact.friction_energy);
-    field("lost", contact.lost);
-    field("present_offset", contact.present_offset);
-    FullOrEmpty searched_at{contact.searched_at, nodes};
+    field("slave_mass", contact.state.slave_mass);
+    field("reference_time_step", contact.state.reference_time_step);
+    field("forces", contact.state.forces);
+    field("opposite forces", contact.state.opposite);
+    field("normal_energy", contact.state.normal_energy);
+    field("friction_energy", contact.state.friction_energy);
+    field("lost", contact.state.lost);
+    field("present_offset", contact.state.present_offset);
+    FullOrEmpty searched_at{contact.state.searched_at, nodes};
     field("positions of the search", searched_at);
-    FullOrEmpty seen_at{contact.seen_at, nodes};
-    field("positions of the last look", seen_at);
-    field("room", contact.room);
+    FullOrEmpty checked_at{contact.state.checked_at, nodes};
+    field("positions of the last check", checked_at);
+    field("room", contact.state.room);
   }
   for (auto &contact : model.particle_contacts) {
     const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
@@ -107,9 +107,9 @@ template <class T, class Law, class Rule> void renew_lists(HexBody<T, Law, Rule>
 template <class T, class Bodies> void renew_lists(Model<T, Bodies> &model) {
   for_each_body(model, [](auto &body) { renew_lists(body); });
   for (auto &contact : model.contacts) {
-    if (contact.searched_at.empty()) continue;
+    if (contact.state.searched_at.empty()) continue;
     Nodes<T> then;
-    then.position = contact.searched_at;
+    then.position = contact.state.searched_at;
     search(contact, then);
   }
   for (auto &contact : model.particle_contacts)
