@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/core/nodes.hpp"
+#include "ogive/core/pack.hpp"
 #include "ogive/core/parallel.hpp"
 #include "ogive/fem/hex8.hpp"
 #include "ogive/fem/hex_mesh.hpp"
@@ -46,7 +47,7 @@ struct CornersOfNodes {
 
 /// A body of eight-node hexes. `Rule` is OnePoint or SelectiveReduced. Point p of hex e is material point
 /// e * Rule::points + p. Energies are those of the computed part of the model.
-template <class T, class Law, class Rule = OnePoint> struct HexBody {
+template <class T, class Law, class Rule = OnePoint, class Width = SimdWidth> struct HexBody {
   std::string name;                        ///< for messages and files
   Metal<T, Law> metal;                     ///< the same in all hexes
   HexOptions<T> options{};                 ///< numerical resistance

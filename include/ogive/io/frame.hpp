@@ -20,8 +20,8 @@
 namespace ogive {
 
 // Frames alone, such as pictures are made from, need neither kind of body.
-template <class T, class Law, class Rule> struct HexBody;
-template <class T, class Law, class Kernel, class Form> struct SphBody;
+template <class T, class Law, class Rule, class Width> struct HexBody;
+template <class T, class Law, class Kernel, class Form, class Width> struct SphBody;
 
 /// Values on points or cells, `components` after each other for each. One component is a scalar, three a vector
 /// (x, y, z), six a symmetric tensor (xx, yy, zz, xy, yz, zx).
@@ -134,8 +134,8 @@ template <class F> std::vector<Index> numbers_of(Index begin, Index end, F &&is_
 }
 
 /// Adds a body of particles to a frame, as a cloud of points. Removed particles are left out.
-template <class T, class Law, class K, class F>
-void gather_body(Frame &frame, const Nodes<T> &nodes, const SphBody<T, Law, K, F> &body, int part) {
+template <class T, class Law, class K, class F, class Width>
+void gather_body(Frame &frame, const Nodes<T> &nodes, const SphBody<T, Law, K, F, Width> &body, int part) {
   const auto particles = numbers_of(0, body.points.size(), [&](Index i) { return !is_removed(body, i); });
   std::vector<Index> numbers = particles;
   for (Index &n : numbers) n += body.nodes.begin;
@@ -147,8 +147,8 @@ void gather_body(Frame &frame, const Nodes<T> &nodes, const SphBody<T, Law, K, F
 
 /// Adds a body of hexes to a frame, as a grid. Elements with several material points give their mean. Removed hexes and
 /// their corners are left out.
-template <class T, class Law, class Rule>
-void gather_body(Frame &frame, const Nodes<T> &nodes, const HexBody<T, Law, Rule> &body, int part) {
+template <class T, class Law, class Rule, class Width>
+void gather_body(Frame &frame, const Nodes<T> &nodes, const HexBody<T, Law, Rule, Width> &body, int part) {
   const auto count = static_cast<Index>(body.hexes.size());
   const auto hexes = numbers_of(0, count, [&](Index e) { return !is_removed(body, e); });
   const auto numbers = numbers_of(body.nodes.begin, body.nodes.end,

@@ -67,7 +67,8 @@ template <class T> struct SphOptions {
 };
 
 /// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
-template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = RenormalisedForm> struct SphBody {
+template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = RenormalisedForm, class Width = SimdWidth>
+struct SphBody {
   /// Number type.
   using Scalar = T;
   /// Smoothing kernel.

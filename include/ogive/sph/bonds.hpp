@@ -27,7 +27,7 @@ struct Bond {
 /// Bonds of particles, in groups of as many particles as a pack holds: group g has the particles from g * lanes on and
 /// the rows begin[g] <= row < begin[g + 1]; each row has one bond of each. A particle with fewer bonds than others of
 /// its group is bonded to itself in the rest, which does nothing.
-template <class T> struct Bonds {
+template <class T, class Width = SimdWidth> struct Bonds {
   std::vector<std::int64_t> begin; ///< of each group, and the end; empty without bonds
   std::vector<Bond> ends;          ///< at row * lanes + lane
   std::vector<T> moment;           ///< Pa m; of each row the x, then the y, then the z of all lanes

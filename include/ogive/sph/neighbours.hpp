@@ -30,7 +30,7 @@ struct MirrorImage {
 /// Neighbour lists of clusters: `lanes<T>` particles that lie close together share one list, so that a loop works on
 /// all of them at once with one neighbour after the other. Particles have places along a curve that keeps near ones
 /// together; cluster c has the places from c * lanes<T>. Mirror images have the places behind all clusters.
-template <class T> struct Neighbours {
+template <class T, class Width = SimdWidth> struct Neighbours {
   std::vector<Index> order;                ///< particle of each place; the last cluster is filled up with its last one
   Index listed = 0;                        ///< number of particles in the lists
   std::vector<MirrorImage> images;         ///< image g has the place order.size() + g
@@ -151,7 +151,7 @@ template <class T> std::vector<Index> column_order(std::span<const Vec3<T>> posi
 }
 
 /// Points that may be near a cluster, in a multiple of a pack.
-template <class T> struct Candidates {
+template <class T, class Width = SimdWidth> struct Candidates {
   std::vector<Index> place; ///< of each point
   std::vector<T> x, y, z;   ///< m
 };
