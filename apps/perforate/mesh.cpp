@@ -5,9 +5,9 @@
 #include "run_case.hpp"
 #include "to_case.hpp"
 
-#include "ogive/fem/mesh_check.hpp"
 #include "ogive/io/vtk.hpp"
 #include "ogive/material/library.hpp"
+#include "ogive/mesh/mesh_check.hpp"
 
 #include <cstdio>
 #include <iostream>

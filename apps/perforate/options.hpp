@@ -3,9 +3,9 @@
 
 #include "ogive/core/error.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/projectile_shape.hpp"
 #include "ogive/material/damage.hpp"
 #include "ogive/material/equation_of_state.hpp"
+#include "ogive/mesh/projectile_shape.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/method.hpp"
 #include "shared/material_file.hpp"

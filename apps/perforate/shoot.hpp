@@ -61,9 +61,9 @@ void take_look(const M &now, const ogive::Energy<double> &e, const ogive::Projec
   if (!(error <= shot.energy_error)) shot.energy_error = error;
   shot.momentum_error =
       std::max(shot.momentum_error, std::abs(momentum - course.first_momentum - impulse) / course.first_momentum);
-  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,  e.elastic,
-                    e.plastic,      e.hourglass,     e.viscous,         e.contact,         e.friction, e.external,
-                    total(e),       momentum,        impulse,           e.conversion};
+  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,
+                    e.elastic,      e.plastic,       e.hourglass,       e.viscous,         e.contact,
+                    e.friction,     total(e),        momentum,          impulse,           e.conversion};
   ogive::add_row(files.history, row);
   course.history.insert(course.history.end(), row.begin(), row.end());
 }

@@ -3,8 +3,8 @@
 
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/facets.hpp"
 #include "ogive/io/checkpoint.hpp"
+#include "ogive/mesh/facets.hpp"
 
 namespace fuzz {
 

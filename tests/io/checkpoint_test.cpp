@@ -4,7 +4,7 @@
 #include "io/temporary_folder.hpp"
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include "catch.hpp"
 

@@ -2,7 +2,7 @@
 #include "catch.hpp"
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include <limits>
 

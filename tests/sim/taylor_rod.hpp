@@ -3,7 +3,7 @@
 
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/projectile.hpp"
+#include "ogive/mesh/projectile.hpp"
 #include "ogive/sph/layout.hpp"
 
 /// \file

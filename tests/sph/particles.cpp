@@ -58,7 +58,7 @@ TEST_CASE("neighbour lists hold what brute force finds, mirror images included",
   for (const Index i : n.order) at_place.push_back(layout.positions[i]);
   for (const auto &image : n.images) {
     REQUIRE(n.order[image.place] == image.parent);
-    at_place.push_back(mirrored(layout.positions[image.parent], image));
+    at_place.push_back(reflected(layout.positions[image.parent], image.reflection));
   }
   REQUIRE(n.order.size() % lanes<double> == 0);
   REQUIRE(std::set<Index>(n.order.begin(), n.order.end()).size() == std::size_t(count));
@@ -72,7 +72,7 @@ TEST_CASE("neighbour lists hold what brute force finds, mirror images included",
     for (Index l = 0; l < lanes<double>; ++l)
       for (int flips = 0; flips < 4; ++flips)
         for (Index j = 0; j < count; ++j) {
-          const Vec3<double> x = mirrored(layout.positions[j], {j, 0, (flips & 1) != 0, (flips & 2) != 0});
+          const Vec3<double> x = reflected(layout.positions[j], {(flips & 1) != 0, (flips & 2) != 0});
           if ((x - at_place[c * lanes<double> + l]).norm() < n.reach) expected.insert({x[0], x[1], x[2]});
         }
     REQUIRE(found == expected);
@@ -97,8 +97,9 @@ TEST_CASE("a particle behind a mirror plane and its neighbours find each other b
       const MirrorImage &image = lists.images[k - places];
       for (Index i = c * lanes<double>; i < std::min(n, (c + 1) * lanes<double>); ++i)
         // A list is that of a cluster: not all of it is within reach of each particle.
-        if ((mirrored(layout.positions[image.parent], image) - layout.positions[lists.order[i]]).norm() < lists.reach)
-          links.insert({lists.order[i], image.parent, image.flip_x, image.flip_y});
+        if ((reflected(layout.positions[image.parent], image.reflection) - layout.positions[lists.order[i]]).norm() <
+            lists.reach)
+          links.insert({lists.order[i], image.parent, image.reflection.x, image.reflection.y});
     }
   CHECK(links.size() > 1000);
   for (const Link &l : links) REQUIRE(links.count({l[1], l[0], l[2], l[3]}) == 1);

@@ -3,7 +3,7 @@
 
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 #include <array>
 #include <cstdint>

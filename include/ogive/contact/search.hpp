@@ -2,24 +2,13 @@
 #pragma once
 
 #include "ogive/contact/node_to_surface.hpp"
-#include "ogive/sph/cell_grid.hpp"
+#include "ogive/search/box_of_moves.hpp"
+#include "ogive/search/cell_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ogive {
-
-/// An axis-aligned box, m.
-template <class T> struct Box {
-  Vec3<T> low = Vec3<T>::Constant(T(1e30));   ///< least coordinates
-  Vec3<T> high = Vec3<T>::Constant(T(-1e30)); ///< greatest coordinates; a new box is empty
-};
-
-/// Makes the box large enough to hold the point `p` (m).
-template <class T> void extend(Box<T> &box, const Vec3<T> &p) {
-  box.low = box.low.cwiseMin(p);
-  box.high = box.high.cwiseMax(p);
-}
 
 /// Box around a facet, grown by `margin` (m).
 template <class T> Box<T> facet_box(const Facet &facet, const Nodes<T> &nodes, T margin) {
@@ -30,23 +19,11 @@ template <class T> Box<T> facet_box(const Facet &facet, const Nodes<T> &nodes, T
   return box;
 }
 
-/// True if the point `p` (m) lies in the box, faces included.
-template <class T> bool is_inside(const Box<T> &box, const Vec3<T> &p) {
-  return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
-}
-
-/// Box around the ways that the nodes of `list` have gone since they were at the positions `then` (m).
+/// Box around the displacements of the nodes of `list` from the positions `then` (m).
 template <class T>
 Box<T> box_of_moves(const Nodes<T> &nodes, const std::vector<Vec3<T>> &then, const std::vector<Index> &list) {
-  return ordered_fold(
-      static_cast<Index>(list.size()), Box<T>{},
-      [&](Index i) {
-        const Vec3<T> u = nodes.position[list[i]] - then[list[i]];
-        return Box<T>{u, u};
-      },
-      [](const Box<T> &a, const Box<T> &b) {
-        return Box<T>{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
-      });
+  return box_of_moves<T>(static_cast<Index>(list.size()),
+                         [&](Index i) { return Vec3<T>(nodes.position[list[i]] - then[list[i]]); });
 }
 
 /// True if a slave and a facet may have come closer by more than the search margin since the last search.

@@ -51,7 +51,7 @@ template <class T>
 NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p, T limit,
                              const std::optional<Vec3<T>> &across = {}) {
   FacetPoint<T> best;
-  T best_alignment{};
+  NearestSoFar<T> nearest;
   Index facet = -1;
   for (Index k = contact.candidates.begin[a]; k < contact.candidates.begin[a + 1]; ++k) {
     const Index f = contact.candidates.facets[k];
@@ -60,12 +60,8 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     for (int c = 0; c < 4; ++c) corner[c] = nodes.position[contact.facets[f].nodes[c]];
     const FacetPoint<T> point = closest_on_facet(p, corner);
     if (across && !lies_across<T>(*across, point, p)) continue;
-    const T alignment = std::abs(point.normal.dot(p - point.position));
-    const T tie = T(1e-6) * (best.distance_squared + point.distance_squared);
-    if (facet < 0 || point.distance_squared < best.distance_squared - tie ||
-        (point.distance_squared <= best.distance_squared + tie && alignment > best_alignment)) {
+    if (nearest.take(point.distance_squared, std::abs(point.normal.dot(p - point.position)))) {
       best = point;
-      best_alignment = alignment;
       facet = f;
       limit = std::min(limit, std::sqrt(point.distance_squared) * T(1.001));
     }

@@ -5,11 +5,11 @@
 #include "ogive/core/pack.hpp"
 #include "ogive/core/parallel.hpp"
 #include "ogive/fem/hex8.hpp"
-#include "ogive/fem/hex_mesh.hpp"
 #include "ogive/fem/hourglass.hpp"
-#include "ogive/fem/mesh_check.hpp"
 #include "ogive/material/metal.hpp"
 #include "ogive/material/points.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
+#include "ogive/mesh/mesh_check.hpp"
 
 #include <array>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ogive/fem/hex_force.hpp"
-#include "ogive/fem/plate_mesh.hpp"
+#include "ogive/mesh/plate_mesh.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/numerics.hpp"
 #include "ogive/perforation/plates.hpp"

@@ -3,9 +3,9 @@
 
 #include "ogive/contact/node_to_surface.hpp"
 #include "ogive/contact/particle_force.hpp"
-#include "ogive/fem/facets.hpp"
 #include "ogive/fem/hex_body.hpp"
-#include "ogive/fem/plate_rim.hpp"
+#include "ogive/mesh/facets.hpp"
+#include "ogive/mesh/plate_rim.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/numerics.hpp"
 #include "ogive/sph/layout.hpp"

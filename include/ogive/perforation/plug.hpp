@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/contact/closest_point.hpp"
+#include "ogive/core/disjoint_sets.hpp"
 #include "ogive/perforation/setup.hpp"
 
-#include <numeric>
 #include <vector>
 
 namespace ogive {
@@ -24,45 +25,32 @@ template <class T> struct Fragments {
 template <class T, class Body>
 std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T distance) {
   const Index n = body.points.size();
-  std::vector<Index> piece(n);
-  std::iota(piece.begin(), piece.end(), Index(0));
-  const auto root = [&](Index i) {
-    while (piece[i] != i) i = piece[i] = piece[piece[i]];
-    return i;
-  };
   if (body.neighbours.order.empty()) return std::vector<Index>(n, 0);
+  DisjointSets pieces(n);
   const auto failed = [&](Index i) { return is_failed(body.metal.damage, body.points.damage[i]); };
   for_each_neighbour_pair(body.neighbours, [&](Index i, Index j) {
     const Vec3<T> gap = nodes.position[body.nodes.begin + i] - nodes.position[body.nodes.begin + j];
     if (gap.squaredNorm() > distance * distance || failed(i) || failed(j)) return;
-    const Index a = root(i), b = root(j);
-    piece[std::max(a, b)] = std::min(a, b);
+    pieces.join(i, j);
   });
-  for (Index i = 0; i < n; ++i) piece[i] = root(i);
-  return piece;
+  return pieces.roots();
 }
 
 /// Number of the piece that each hex belongs to: the smallest hex index of the piece. Hexes that are there are
 /// connected where they share a node; one that is not is a piece of its own.
 template <class Body> std::vector<Index> pieces_of_hexes(const Body &body) {
   const Index n = static_cast<Index>(body.hexes.size());
-  std::vector<Index> piece(n), hex_at(body.nodes.size(), -1);
-  std::iota(piece.begin(), piece.end(), Index(0));
-  const auto root = [&](Index i) {
-    while (piece[i] != i) i = piece[i] = piece[piece[i]];
-    return i;
-  };
+  DisjointSets pieces(n);
+  std::vector<Index> hex_at(body.nodes.size(), -1);
   for (Index e = 0; e < n; ++e) {
     if (is_removed(body, e)) continue;
     for (const Index node : body.hexes[e]) {
       Index &other = hex_at[node - body.nodes.begin];
       if (other < 0) other = e;
-      const Index a = root(e), b = root(other);
-      piece[std::max(a, b)] = std::min(a, b);
+      pieces.join(e, other);
     }
   }
-  for (Index e = 0; e < n; ++e) piece[e] = root(e);
-  return piece;
+  return pieces.roots();
 }
 
 /// Cell i of the struck part of the plate: particle i, or the hex that has not turned into it yet.
@@ -199,20 +187,15 @@ template <class M, class Body> auto largest_intrusion_of(const M &model, const B
     const Vec3<T> &p = nodes.position[body.nodes.begin + i];
     if (is_removed(body, i) || !is_inside(box, p)) return T(0);
     FacetPoint<T> best;
-    best.distance_squared = T(1e30);
-    T alignment{};
+    NearestSoFar<T> nearest;
     for (const Facet &f : contact.facets) {
       std::array<Vec3<T>, 4> corner;
       for (int c = 0; c < 4; ++c) corner[c] = nodes.position[f.nodes[c]];
       if (const T far = (corner[0] - corner[2]).norm() + (corner[1] - corner[3]).norm();
-          (p - corner[0]).norm() - far > std::sqrt(best.distance_squared))
+          !nearest.empty && (p - corner[0]).norm() - far > std::sqrt(nearest.distance_squared))
         continue;
       const FacetPoint<T> point = closest_on_facet(p, corner);
-      const T aligned = std::abs(point.normal.dot(p - point.position));
-      const T tie = T(1e-6) * point.distance_squared;
-      if (point.distance_squared < best.distance_squared - tie ||
-          (point.distance_squared <= best.distance_squared + tie && aligned > alignment))
-        best = point, alignment = aligned;
+      if (nearest.take(point.distance_squared, std::abs(point.normal.dot(p - point.position)))) best = point;
     }
     return best.normal.dot(p - best.position) < T(0) ? std::sqrt(best.distance_squared) : T(0);
   });

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fem/facets.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/fem/hex_time_step.hpp"
-#include "ogive/fem/projectile.hpp"
 #include "ogive/material/library.hpp"
+#include "ogive/mesh/facets.hpp"
+#include "ogive/mesh/projectile.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/numerics.hpp"
 #include "ogive/perforation/plate_of_hexes.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/contact/search.hpp"
 #include "ogive/fem/hex_force.hpp"
+#include "ogive/search/box.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sph/body.hpp"
 

@@ -4,9 +4,9 @@
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
 #include "ogive/material/metal.hpp"
+#include "ogive/search/neighbours.hpp"
 #include "ogive/sph/bonds.hpp"
 #include "ogive/sph/kernel.hpp"
-#include "ogive/sph/neighbours.hpp"
 #include "ogive/sph/pair_data.hpp"
 
 #include <cstdint>

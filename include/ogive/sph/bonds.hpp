@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/sph/neighbours.hpp"
+#include "ogive/search/neighbours.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -48,10 +48,10 @@ template <class T> Bonds<T> make_bonds(std::span<const Vec3<T>> positions, Symme
     const Index i = n.order[k];
     for (const Index place : row(n, k / lanes<T>)) {
       const bool image = place >= places;
-      const MirrorImage mirror = image ? n.images[place - places] : MirrorImage{n.order[place]};
+      const MirrorImage mirror = image ? n.images[place - places] : MirrorImage{n.order[place], place, {}};
       if ((image || mirror.parent != i) &&
-          (mirrored(positions[mirror.parent], mirror) - positions[i]).squaredNorm() < reach * reach)
-        of[i].push_back({mirror.parent, {mirror.flip_x, mirror.flip_y}});
+          (reflected(positions[mirror.parent], mirror.reflection) - positions[i]).squaredNorm() < reach * reach)
+        of[i].push_back({mirror.parent, mirror.reflection});
     }
   }
   Bonds<T> bonds;

@@ -79,7 +79,7 @@ template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, La
     store_pack(&d.density[first], density);
   });
   for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
-    const std::array<T, 3> sign{image.flip_x ? T(-1) : T(1), image.flip_y ? T(-1) : T(1), T(1)};
+    const std::array<T, 3> sign{image.reflection.x ? T(-1) : T(1), image.reflection.y ? T(-1) : T(1), T(1)};
     for (int r = 0; r < 9; ++r) d.flux[r][k] = sign[r / 3] * sign[r % 3] * d.flux[r][image.place];
     d.density[k] = d.density[image.place];
   });

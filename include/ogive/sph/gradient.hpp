@@ -81,7 +81,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
   });
   for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
     const Index i = image.place;
-    const T sx = image.flip_x ? T(-1) : T(1), sy = image.flip_y ? T(-1) : T(1);
+    const T sx = image.reflection.x ? T(-1) : T(1), sy = image.reflection.y ? T(-1) : T(1);
     d.x[k] = sx * d.x[i], d.y[k] = sy * d.y[i], d.z[k] = d.z[i];
     d.vx[k] = sx * d.vx[i], d.vy[k] = sy * d.vy[i], d.vz[k] = d.vz[i];
     d.volume[k] = d.volume[i], d.density[k] = d.density[i], d.smoothing[k] = d.smoothing[i];
