@@ -34,7 +34,7 @@ int main() {
   Mat3<double> shear = Mat3<double>::Zero();
   shear(0, 1) = 1000; // 1/s
   for (int k = 0; k < 300; ++k) point = updated(metal, point, shear, 1e-6);
-  const double expected = flow_stress(metal.flow, point.plastic_strain, 1.0, 0.0).value;
+  const double expected = flow_stress(metal, point.plastic_strain, 1.0, 0.0).value;
   const double computed = von_mises(point.deviator);
   std::printf("eps %.4f  stress %.3f MPa  Voce %.3f MPa\n", point.plastic_strain, computed * 1e-6, expected * 1e-6);
 
@@ -42,7 +42,7 @@ int main() {
   auto model = make_perforation(shot, metal, library::arne_tool_steel<double>());
   const RunOptions<double> until{.end_time = 10e-6};
   const auto result = run(model, until, [](const auto &, const auto &) { return true; });
-  const auto &strain = disc(model).points.plastic_strain;
+  const auto &strain = plate_particles(model).points.plastic_strain;
   std::printf("plate: largest plastic strain %.3f\n", *std::max_element(strain.begin(), strain.end()));
   return !result.fault && std::abs(computed / expected - 1) < 1e-8 ? 0 : 1;
 }

@@ -38,7 +38,7 @@ int main(int argc, char **argv) try {
     add_frame(series, gather_frame(now));
     return true;
   });
-  const auto &strain = disc(model).points.plastic_strain;
+  const auto &strain = plate_particles(model).points.plastic_strain;
   const double written = *std::max_element(strain.begin(), strain.end()), read = print_series(pvd_path(series));
   std::filesystem::remove_all(folder);
   return std::abs(read - written) < 1e-6 ? 0 : 1; // frames are in single precision

@@ -43,7 +43,7 @@ material_file::AnyMetal metal_of(const Options &o, const ogive::Calibration &c, 
                                  const std::string &method) {
   material_file::AnyMetal any;
   if (c.frame.form == ogive::FlowForm::modified)
-    any = metal_with(o, modified_law(c.frame, c.hardening[h], c.C, c.b));
+    any = metal_with(o, modified_law(c.hardening[h], c.C, c.b));
   else
     any = metal_with(o, classical_law(c.frame, c.hardening[h], c.C, c.b));
   std::string source = std::string("calibrate ") + ogive::version + ", " + method + ", from";

@@ -93,7 +93,8 @@ std::string table(const Wish &wish, const ogive::Metal<double, Law> &metal, cons
     for (int i = 0; first + i * step <= s.last_strain + 1e-9; ++i)
       strains.push_back(std::round(1e5 * (first + i * step)) / 1e5);
     const double heat = s.rate >= adiabatic_above ? metal.taylor_quinney / (metal.density * metal.specific_heat) : 0.0;
-    for (const auto &p : adiabatic_curve(law, s.rate, s.temperature, heat, strains)) {
+    for (const auto &p : adiabatic_curve(law, {metal.room_temperature, metal.melting_temperature}, s.rate,
+                                         s.temperature, heat, strains)) {
       const double stress = p.stress * (1 + wish.noise_percent / 100 * scatter.normal());
       text += (plates ? s.plate + "," : "") + input::shortest(s.rate) + "," + input::shortest(s.temperature) + "," +
               input::shortest(p.strain) + "," + formatted("%.2f", stress / 1e6) + "\n";

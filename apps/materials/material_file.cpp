@@ -143,8 +143,6 @@ template <class M> M metal_from(const std::vector<Given> &entries, const std::st
   for_each_key(metal, [&](const Key &key, auto &value) {
     if (const Given *given = find(entries, key.name)) assign(key, value, *given);
   });
-  metal.flow.room = metal.room_temperature;
-  metal.flow.melting = metal.melting_temperature;
   check_all(metal, entries, file);
   return metal;
 }

@@ -9,9 +9,9 @@
 #include "shot/table.hpp"
 #include "shot/to_case.hpp"
 
-#include "ogive/fem/mesh_check.hpp"
 #include "ogive/io/vtk.hpp"
 #include "ogive/material/library.hpp"
+#include "ogive/mesh/mesh_check.hpp"
 
 #include <cstdio>
 #include <iostream>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/projectile_shape.hpp"
+#include "ogive/mesh/projectile_shape.hpp"
 
 #include <filesystem>
 #include <iosfwd>

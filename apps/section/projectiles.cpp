@@ -2,8 +2,8 @@
 #include "drawing.hpp"
 #include "figures.hpp"
 
-#include "ogive/fem/projectile_shape.hpp"
 #include "ogive/material/library.hpp"
+#include "ogive/mesh/projectile_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -28,10 +28,10 @@ std::vector<std::string> material_names(const Options &o) {
   return names.empty() ? std::vector<std::string>{"material.toml"} : names;
 }
 
-const std::vector<std::string> history_columns{"time_us",   "velocity_m_per_s", "nose_depth_mm",       "tail_depth_mm",
-                                               "kinetic_J", "elastic_J",        "plastic_J",           "hourglass_J",
-                                               "viscous_J", "contact_J",        "friction_J",          "external_J",
-                                               "total_J",   "momentum_N_s",     "support_impulse_N_s", "conversion_J"};
+const std::vector<std::string> history_columns{"time_us",      "velocity_m_per_s",    "nose_depth_mm", "tail_depth_mm",
+                                               "kinetic_J",    "elastic_J",           "plastic_J",     "hourglass_J",
+                                               "viscous_J",    "contact_J",           "friction_J",    "total_J",
+                                               "momentum_N_s", "support_impulse_N_s", "conversion_J"};
 
 /// True if the run goes on in the folder of its checkpoint.
 bool is_in_place(const Options &o) {

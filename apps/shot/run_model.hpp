@@ -21,9 +21,9 @@ template <class M> Sizes sizes_of(const M &model) {
   Sizes s;
   const auto &shot = ogive::projectile(model);
   s.hexes = static_cast<long>(shot.hexes.size());
-  for (const auto &rim : ogive::rims(model)) s.hexes += static_cast<long>(rim.hexes.size());
-  for (const auto &disc : ogive::discs(model)) s.particles += disc.points.size();
-  s.spacing_mm = ogive::disc(model).spacing * 1e3;
+  for (const auto &rim : model.bodies.plate_hexes) s.hexes += static_cast<long>(rim.hexes.size());
+  for (const auto &disc : model.bodies.plate_particles) s.particles += disc.points.size();
+  s.spacing_mm = ogive::plate_particles(model).spacing * 1e3;
   s.projectile_mass_g = ogive::whole_mass(shot.point_mass, model.symmetry) * 1e3;
   double nodal = 0;
   for (ogive::Index n = shot.nodes.begin; n < shot.nodes.end; ++n) nodal += model.nodes.mass[n];
@@ -58,9 +58,9 @@ void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::Proj
   if (!(error <= shot.energy_error)) shot.energy_error = error;
   shot.momentum_error =
       std::max(shot.momentum_error, std::abs(momentum - course.first_momentum - impulse) / course.first_momentum);
-  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,  e.elastic,
-                    e.plastic,      e.hourglass,     e.viscous,         e.contact,         e.friction, e.external,
-                    total(e),       momentum,        impulse,           e.conversion};
+  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,
+                    e.elastic,      e.plastic,       e.hourglass,       e.viscous,         e.contact,
+                    e.friction,     total(e),        momentum,          impulse,           e.conversion};
   ogive::add_row(files.history, row);
   course.history.insert(course.history.end(), row.begin(), row.end());
 }
@@ -98,7 +98,7 @@ Result run_with(const Options &options, const std::vector<ogive::Metal<double, L
       ogive::make_perforation<Kernel, Form, Rule>(c, plates, ogive::library::arne_tool_steel<double>(), numerics);
   const auto &shape = c.projectile;
   std::vector<std::vector<ogive::Vec3<double>>> undeformed;
-  for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::disc_positions(model, k));
+  for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::plate_positions(model, k));
   const Plates metals(plates.begin(), plates.end());
 
   Result shot;

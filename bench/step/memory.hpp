@@ -33,8 +33,8 @@ template <class Body, class T> Memory memory_of(const Body &body, const ogive::N
       bytes_of(nodes.position, nodes.velocity, nodes.force, nodes.mass, nodes.held) * body.nodes.size() / nodes.size();
   const auto &p = body.points;
   ogive::for_each_point_field(p, [&](const char *, const char *, const auto &field) { m.points += bytes(field); });
-  m.points +=
-      bytes_of(p.velocity_gradient, p.yield, p.yield_strain, p.yield_temperature, body.point_mass, body.viscous_energy);
+  m.points += bytes_of(p.velocity_gradient, p.quasi_static_yield, p.yield_strain, p.yield_temperature, body.point_mass,
+                       body.viscous_energy);
   const auto &d = body.pair_data;
   m.pair_data = bytes_of(d.x, d.y, d.z, d.vx, d.vy, d.vz, d.volume, d.density, d.smoothing);
   for (const auto &component : d.correction) m.pair_data += bytes(component);

@@ -46,7 +46,9 @@ void advance(Shot &model) {
 }
 
 /// Differs before and after new lists were built: the positions then are kept.
-std::uint64_t lists_mark(const Shot &model) { return ogive::hash_values(0, ogive::disc(model).neighbours.built_at); }
+std::uint64_t lists_mark(const Shot &model) {
+  return ogive::hash_values(0, ogive::plate_particles(model).neighbours.built_at);
+}
 
 /// Some steps and what they took.
 struct Window {
@@ -158,14 +160,15 @@ ShotResult measure_shot(double particles, const Plan &plan, const std::function<
   Shot loaded = make_shot(spacing_for(particles));
   progress("loading the plate");
   load(loaded, plan);
-  const auto &disc = ogive::disc(loaded);
+  const auto &disc = ogive::plate_particles(loaded);
   result.memory = memory_of(disc, loaded.nodes);
   result.memory.process = peak_bytes() - before;
   result.spacing = disc.spacing;
   result.start_time = loaded.time;
   result.start_step = loaded.steps;
   result.work = count_work(disc, loaded.nodes);
-  result.hexes = static_cast<std::int64_t>(ogive::rim(loaded).hexes.size() + ogive::projectile(loaded).hexes.size());
+  result.hexes =
+      static_cast<std::int64_t>(ogive::plate_hexes(loaded).hexes.size() + ogive::projectile(loaded).hexes.size());
   for (const auto &contact : loaded.contacts) result.slaves += static_cast<std::int64_t>(contact.slaves.size());
   result.steps = plan.steps > 0 ? plan.steps : whole_cycles(loaded);
   for (const int threads : plan.threads) {

@@ -62,7 +62,7 @@ template <class Body, class T> std::int64_t count_pairs(const Body &body, const 
   };
   const auto position = [&](ogive::Index place) -> ogive::Vec3<T> {
     const auto &x = nodes.position[body.nodes.begin + particle(place)];
-    return place < places ? x : ogive::mirrored(x, n.images[place - places]);
+    return place < places ? x : ogive::reflected(x, n.images[place - places].reflection);
   };
   const T support = n.support;
   return ogive::ordered_sum(ogive::clusters(n), std::int64_t(0), [&](ogive::Index c) {

@@ -17,7 +17,7 @@ using namespace fem_test;
 /// A solid as a model, so that it moves by the steps of a run: their start is of second order.
 template <class Rule> auto model_of(Solid<Rule> s) {
   using Body = decltype(s.body);
-  return Model<double, Body>{std::move(s.nodes), std::tuple<Body>(std::move(s.body)), SymmetryPlanes{}};
+  return Model{std::move(s.nodes), std::tuple<Body>(std::move(s.body)), SymmetryPlanes{}};
 }
 
 template <class Rule, class Mode>

@@ -61,7 +61,7 @@ GradientError error_of(const ParticleLayout<double> &layout, const Field &field)
   auto body = add_sph_body(nodes, layout, fem_test::steel<double>(), "cube");
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = field.velocity(nodes.position[i]);
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   const double support = kernel_support * reference_smoothing_length(body);
   GradientError error;
   for (Index i = 0; i < nodes.size(); ++i) {

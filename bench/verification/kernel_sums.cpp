@@ -39,7 +39,7 @@ template <class Kernel> std::vector<Sums> sums_of(const ParticleLayout<double> &
       add_sph_body<Kernel, StandardForm>(nodes, layout, library::weldox_460e_mjc<double>(), "lattice", {}, options);
   nodes.velocity = nodes.position;
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   for (double &p : body.points.pressure) p = 1;
   add_internal_force(body, nodes, 0.0);
   const double h = reference_smoothing_length(body);

@@ -69,7 +69,7 @@ int verify(const Options &options) {
     const auto begin = std::chrono::steady_clock::now();
     const Rung found = rung.compute(options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    std::cout << text_of(found) << '\n' << std::flush;
+    std::cout << markdown(found) << '\n' << std::flush;
     const auto wrong = static_cast<std::size_t>(
         std::count_if(found.lines.begin(), found.lines.end(), [](const auto &line) { return !line.ok; }));
     std::fprintf(stderr, "%s: %zu lines, %zu off, %.1f s\n", rung.name.c_str(), found.lines.size(), wrong, seconds);

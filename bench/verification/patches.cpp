@@ -52,7 +52,7 @@ TieError across_tie() {
     if (j.nodes.mass[n] > 0) j.nodes.velocity[n] = L * j.nodes.position[n] + V(1, -2, 3);
   move_slaves(tie, j.nodes);
   prepare(j.particles, j.nodes);
-  velocity_gradient(j.particles, j.nodes);
+  velocity_gradient(j.particles);
   velocity_gradient(j.hexes, j.nodes);
   TieError error;
   for (const M &found : j.particles.points.velocity_gradient)
@@ -107,7 +107,7 @@ template <class Body> double stress_after_turn(Body &body, Nodes<double> &nodes)
       nodes.position[n] = x;
     }
     prepare(body, nodes);
-    velocity_gradient(body, nodes);
+    velocity_gradient(body);
     update_stress(body, dt);
   }
   double largest = 0;
@@ -144,7 +144,7 @@ double particle_force(double jitter) {
   Nodes<double> nodes;
   auto body = add_sph_body(nodes, sph_test::block(n, n, n, jitter, spacing), steel<double>(), "block");
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   set_stress(body, some_stress);
   add_internal_force(body, nodes, 0.0);
   const double scale = full(some_stress).norm() * spacing * spacing, far = 2 * kernel_support * 1.2 * spacing;

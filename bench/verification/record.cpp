@@ -53,7 +53,7 @@ void converges(Rung &rung, const std::string &what, double theory, const std::ve
   add(rung, what, roughly(theory), computed, "", "≥ " + roughly(least), order >= least);
 }
 
-std::string text_of(const Rung &rung) {
+std::string markdown(const Rung &rung) {
   std::vector<std::vector<std::string>> rows{rung.titles};
   rows.front().emplace_back("");
   for (const Line &line : rung.lines) {

@@ -57,6 +57,6 @@ Rung balances();
 Rung final_energies(const std::string &reference, bool write);
 
 /// The table in Markdown, between the lines that say where it belongs in the page.
-std::string text_of(const Rung &rung);
+std::string markdown(const Rung &rung);
 
 } // namespace verification

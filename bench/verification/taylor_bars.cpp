@@ -9,7 +9,7 @@ namespace {
 using namespace sim_test;
 
 /// A rod of 6061-T6 as Wilkins & Guinan 1973 shot it, with their constant yield stress.
-TaylorCase aluminium_rod(double speed) {
+TaylorCase<Steel> aluminium_rod(double speed) {
   Metal<double, Steel> m;
   m.name = "6061-T6";
   m.density = 2700;
@@ -33,7 +33,8 @@ void add_rod(Rung &rung, const std::string &name, const Published &published, co
 }
 
 template <class Rule>
-void add_hexes(Rung &rung, const std::string &name, const TaylorCase &c, const Published &published, double spacing) {
+void add_hexes(Rung &rung, const std::string &name, const TaylorCase<Steel> &c, const Published &published,
+               double spacing) {
   const Rod rod = rod_of_hexes<Rule>(c, spacing);
   add_rod(rung, name, published, rod);
   if (Rule::points == 1) vanishes(rung, name + ": work of hourglass control", rod.hourglass, 0.02);
@@ -44,7 +45,7 @@ void add_hexes(Rung &rung, const std::string &name, const TaylorCase &c, const P
 Rung taylor_bars() {
   Rung rung;
   rung.name = "taylor_bars";
-  const TaylorCase copper = copper_rod();
+  const TaylorCase<Steel> copper = copper_rod();
   for (const double particles_on_radius : {3.0, 4.0, 6.0}) {
     const double coarse = 4 / particles_on_radius, spacing = copper.radius / particles_on_radius;
     const Published published{21.42e-3, 0.03 * coarse, 7.22e-3, 0.05 * coarse};
@@ -58,7 +59,7 @@ Rung taylor_bars() {
   }
   // At 478 m/s hexes with 2x2x2 points get so thin at the foot that the time step collapses and the run stops.
   for (const auto &[speed, ratio] : {std::pair(373.0, 0.703), std::pair(478.0, 0.562)}) {
-    const TaylorCase c = aluminium_rod(speed);
+    const TaylorCase<Steel> c = aluminium_rod(speed);
     const Published published{ratio * c.length, 0.05, 0, 0};
     const std::string name = "aluminium, " + number(speed) + " m/s, ";
     add_rod(rung, name + "particles", published, rod_of_particles(c, c.radius / 4));

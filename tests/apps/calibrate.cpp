@@ -42,7 +42,7 @@ std::vector<const char *> complete(std::vector<const char *> more = {}) {
   return all;
 }
 
-const ogive::ModifiedJohnsonCook<double> steel{503e6, 581e6, 0.481, 0.01, 0.94, 293, 1800};
+const ogive::ModifiedJohnsonCook<double> steel{503e6, 581e6, 0.481, 0.01, 0.94};
 
 /// A table of the tests that the law would give.
 std::string table(bool engineering) {

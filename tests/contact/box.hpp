@@ -4,7 +4,7 @@
 #include "fem/brick.hpp"
 
 #include "ogive/contact/force.hpp"
-#include "ogive/fem/facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include <algorithm>
 #include <vector>

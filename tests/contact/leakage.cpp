@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "area_vector.hpp"
 #include "box.hpp"
 #include "catch.hpp"
 
-#include "ogive/fem/projectile.hpp"
+#include "ogive/mesh/projectile.hpp"
 
 using namespace contact_test;
 using fem_test::brick;

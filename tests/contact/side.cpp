@@ -2,7 +2,7 @@
 #include "box.hpp"
 #include "catch.hpp"
 
-#include "ogive/fem/exposed_facets.hpp"
+#include "ogive/mesh/exposed_facets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +86,8 @@ TEST_CASE("where hexes have gone, slaves know inside from outside at edges and c
     Rubble r = rubble(seed, {half, false}, half);
     Nodes<double> nodes = r.nodes;
     const auto closed = half ? with_images(nodes, r.contact.facets) : r.contact.facets;
-    for (Index a = 0; a < static_cast<Index>(r.contact.active.size()); ++a) {
-      const V p = r.nodes.position[r.contact.slaves[r.contact.active[a]]];
+    for (Index a = 0; a < static_cast<Index>(r.contact.candidates.active.size()); ++a) {
+      const V p = r.nodes.position[r.contact.slaves[r.contact.candidates.active[a]]];
       const auto nearest = find_nearest(r.contact, r.nodes, a, p, 1e-3);
       if (nearest.facet < 0) continue;
       const double winding = winding_number(p, nodes, closed);
@@ -126,10 +126,10 @@ TEST_CASE("a slave ahead of the warped corner of a blunt nose is outside", "[con
   const NodeRange slaves = add_free(nodes, points, 1e-6);
   auto contact = contact_of(nodes, slaves, 0.5e-3, facets);
   add_contact_force(contact, nodes, 0.0, 1e-7);
-  REQUIRE(contact.active.size() == points.size());
-  CHECK(contact.lost == -1);
-  for (Index a = 0; a < static_cast<Index>(contact.active.size()); ++a) {
-    const V p = nodes.position[contact.slaves[contact.active[a]]];
+  REQUIRE(contact.candidates.active.size() == points.size());
+  CHECK(contact.state.lost == -1);
+  for (Index a = 0; a < static_cast<Index>(contact.candidates.active.size()); ++a) {
+    const V p = nodes.position[contact.slaves[contact.candidates.active[a]]];
     const auto nearest = find_nearest(contact, nodes, a, p, 2e-3);
     INFO("slave at " << 1e3 * p.transpose() << " mm");
     REQUIRE(nearest.facet >= 0);

@@ -77,7 +77,7 @@ TEST_CASE("a linear velocity field passes the tie", "[contact]") {
     if (j.nodes.mass[n] > 0) j.nodes.velocity[n] = gradient * j.nodes.position[n] + V(1, -2, 3);
   move_slaves(tie, j.nodes);
   prepare(j.particles, j.nodes);
-  velocity_gradient(j.particles, j.nodes);
+  velocity_gradient(j.particles);
   velocity_gradient(j.hexes, j.nodes);
   // Round-off: velocities to 1e-15 over distances of 0.4 mm.
   for (const auto &L : j.particles.points.velocity_gradient) CHECK((L - gradient).norm() < 1e-10 * gradient.norm());

@@ -2,7 +2,7 @@
 #include "box.hpp"
 #include "catch.hpp"
 
-#include "ogive/fem/mirror.hpp"
+#include "ogive/mesh/mirror.hpp"
 
 using namespace contact_test;
 using fem_test::brick, fem_test::Noise;
@@ -23,7 +23,7 @@ struct Touching {
     add_contact_force(contact, nodes, 0.0, 1e-7);
   }
   Touch<double> touch() const {
-    return contact.active.empty() ? Touch<double>{} : find_touch(contact, nodes, Index(0));
+    return contact.candidates.active.empty() ? Touch<double>{} : find_touch(contact, nodes, Index(0));
   }
 };
 
@@ -180,7 +180,7 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
     clear(nodes);
     add_contact_force(kept, nodes, 0.0, 1e-7);
     const std::vector<V> forces = nodes.force;
-    for (Index s : kept.active) with_room += kept.room[s] > 0;
+    for (Index s : kept.candidates.active) with_room += kept.state.room[s] > 0;
     clear(nodes);
     auto fresh = contact_of(nodes, slaves, offset, cube.facets);
     add_contact_force(fresh, nodes, 0.0, 1e-7);
@@ -193,7 +193,7 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
 
 TEST_CASE("a slave has room for its distance from what it can touch", "[contact]") {
   // 0.3 mm above the sphere's touch, beside an edge, where the distance goes past the rounded edge; in touch; inside.
-  const auto room = [](const V &p) { return Touching(p).contact.room[0]; };
+  const auto room = [](const V &p) { return Touching(p).contact.state.room[0]; };
   CHECK(room({0.7 * edge, 1.2 * edge, 2.8 * edge}) == Approx(0.99 * 0.3 * edge));
   CHECK(room({2.4 * edge, 0.6 * edge, 2.4 * edge}) == Approx(0.99 * (std::hypot(0.4, 0.4) * edge - offset)));
   CHECK(room({0.7 * edge, 1.2 * edge, 2.3 * edge}) == 0);
@@ -202,11 +202,11 @@ TEST_CASE("a slave has room for its distance from what it can touch", "[contact]
   Touching t({0.7 * edge, 1.2 * edge, 2.8 * edge});
   t.nodes.position.back() += V(0.03, 0, 0.04) * edge;
   add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
-  CHECK(t.contact.room[0] == Approx((0.99 * 0.3 - 0.05) * edge));
+  CHECK(t.contact.state.room[0] == Approx((0.99 * 0.3 - 0.05) * edge));
   for (V &p : t.nodes.position) p += V(0, 0, 0.2) * edge;
   t.nodes.position.back() += V(0, 0, -0.1) * edge;
   add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
-  CHECK(t.contact.room[0] == Approx((0.99 * 0.3 - 0.15) * edge));
+  CHECK(t.contact.state.room[0] == Approx((0.99 * 0.3 - 0.15) * edge));
 }
 
 TEST_CASE("a slave in a gap narrower than itself swings between both walls", "[contact]") {
@@ -222,10 +222,11 @@ TEST_CASE("a slave in a gap narrower than itself swings between both walls", "[c
   const std::vector<Facet> facets = {Facet{.nodes = {0, 1, 2, 3}}, Facet{.nodes = {7, 6, 5, 4}}};
   const NodeRange slave = add_free(nodes, {V(gap / 2, 0.1e-3, 0.2e-3)}, mass);
   auto contact = contact_of(nodes, slave, 0.5e-3, facets);
-  contact.opposite.resize(1);
-  contact.reference_time_step = 1e-7;
+  contact.state.opposite.resize(1);
+  contact.state.reference_time_step = 1e-7;
   nodes.velocity[slave.begin] = V(speed, 0, 0);
-  const double k = contact.options.stiffness * mass / (contact.reference_time_step * contact.reference_time_step);
+  const double k =
+      contact.options.stiffness * mass / (contact.state.reference_time_step * contact.state.reference_time_step);
   const double omega = std::sqrt(2 * k / mass), dt = 0.02 / omega;
   double worst = 0, least = 0, most = 0;
   for (int n = 0; n < 2000; ++n) { // some six periods

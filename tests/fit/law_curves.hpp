@@ -15,6 +15,9 @@
 /// Weldox 460 E of Liu et al. 2012, Table 1: density, specific heat and beta as heat per work, K/Pa.
 inline constexpr double steel_heat_per_work = 0.9 / (7850.0 * 452.0);
 
+/// Of the same steel.
+inline constexpr ogive::ReferenceTemperatures<double> steel_temperatures{293, 1800};
+
 /// Normal scatter that is the same with every standard library (Box & Muller 1958).
 struct Scatter {
   std::mt19937_64 engine;
@@ -40,7 +43,8 @@ template <class Law> struct LawCurves {
     std::vector<double> strains;
     for (int i = 0; i < points; ++i) strains.push_back(0.002 + (to - 0.002) * i / (points - 1));
     ogive::StressCurve c{plate, "", rate, temperature, strains, {}};
-    for (const auto &p : adiabatic_curve(law, rate, temperature, rate >= 10 ? heat_per_work : 0.0, strains))
+    for (const auto &p :
+         adiabatic_curve(law, steel_temperatures, rate, temperature, rate >= 10 ? heat_per_work : 0.0, strains))
       c.stress.push_back(p.stress * (1 + noise * scatter.normal()));
     curves.push_back(std::move(c));
   }

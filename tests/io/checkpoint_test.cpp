@@ -4,7 +4,7 @@
 #include "io/temporary_folder.hpp"
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include "catch.hpp"
 
@@ -40,8 +40,7 @@ template <class T = double> auto small_model(double friction = 0.1, T young = T(
   for (Index n = block.nodes.begin; n < block.nodes.end; ++n) slaves.push_back(n);
   auto contact = make_contact(nodes, slaves, std::vector<T>(slaves.size(), T(0.5 * spacing)), boundary_facets(mesh),
                               "contact", ContactOptions<T>{.friction = T(friction)});
-  Model<T, decltype(target), decltype(block)> model{std::move(nodes), std::tuple(std::move(target), std::move(block)),
-                                                    SymmetryPlanes{}};
+  Model model{std::move(nodes), std::tuple(std::move(target), std::move(block)), SymmetryPlanes{}};
   model.contacts.push_back(std::move(contact));
   return model;
 }
@@ -99,13 +98,13 @@ TEST_CASE("a checkpoint with a contact on a facet that is not there is refused")
   for (auto NodeToSurface<double>::*forces : {&NodeToSurface<double>::forces, &NodeToSurface<double>::opposite}) {
     auto model = small_model();
     auto &contact = model.contacts[0];
-    contact.opposite.resize(contact.slaves.size());
+    contact.state.opposite.resize(contact.slaves.size());
     RunState<double> state;
     run_steps(model, state, 5);
     (contact.*forces)[0].facet = static_cast<Index>(contact.facets.size());
     write_checkpoint(folder.path / "checkpoint.bin", model, state);
     auto other = small_model();
-    other.contacts[0].opposite.resize(contact.slaves.size());
+    other.contacts[0].state.opposite.resize(contact.slaves.size());
     CHECK(refusal([&] {
             restore(read_checkpoint(folder.path / "checkpoint.bin"), other, state);
           }).find("is damaged: contact facet cannot be") != std::string::npos);

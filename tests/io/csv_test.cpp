@@ -9,12 +9,11 @@
 
 using ogive::add_row;
 using ogive::continue_csv;
-using ogive::open_csv;
 
 TEST_CASE("a table has one header and its rows are on the disk at once") {
   const TemporaryFolder folder;
   const auto path = folder.path / "history.csv";
-  auto csv = open_csv(path, {"time_us", "velocity_m_per_s"});
+  auto csv = continue_csv(path, {"time_us", "velocity_m_per_s"});
   CHECK(read_text(path) == "time_us,velocity_m_per_s\n");
   add_row(csv, {0.0, -303.5});
   CHECK(read_text(path) == "time_us,velocity_m_per_s\n0,-303.5\n");
@@ -26,7 +25,7 @@ TEST_CASE("the numbers of a table read back as the same bits") {
   const TemporaryFolder folder;
   const auto path = folder.path / "history.csv";
   const double values[] = {1.0 / 3, std::numeric_limits<double>::max(), std::numeric_limits<double>::denorm_min()};
-  auto csv = open_csv(path, {"a", "b", "c"});
+  auto csv = continue_csv(path, {"a", "b", "c"});
   add_row(csv, values);
   std::istringstream text(read_text(path));
   std::string cell;
@@ -40,8 +39,8 @@ TEST_CASE("the numbers of a table read back as the same bits") {
 TEST_CASE("a new table replaces an old one") {
   const TemporaryFolder folder;
   const auto path = folder.path / "history.csv";
-  { auto old = open_csv(path, {"old_table_with_a_long_header"}); }
-  const auto csv = open_csv(path, {"t"});
+  { auto old = continue_csv(path, {"old_table_with_a_long_header"}); }
+  const auto csv = continue_csv(path, {"t"});
   CHECK(read_text(path) == "t\n");
 }
 
@@ -49,7 +48,7 @@ TEST_CASE("a table goes on after the rows that it is given, whatever was there")
   const TemporaryFolder folder;
   const auto path = folder.path / "history.csv";
   {
-    auto csv = open_csv(path, {"a", "b"});
+    auto csv = continue_csv(path, {"a", "b"});
     for (int k = 0; k < 5; ++k) add_row(csv, {double(k), 1.0 / 3});
   }
   const std::string whole = read_text(path);
@@ -70,20 +69,20 @@ TEST_CASE("a table goes on after the rows that it is given, whatever was there")
 TEST_CASE("rows and column names that would spoil a table are refused") {
   const TemporaryFolder folder;
   const auto path = folder.path / "history.csv";
-  auto csv = open_csv(path, {"a", "b"});
+  auto csv = continue_csv(path, {"a", "b"});
   CHECK_THROWS_AS(add_row(csv, {1.0}), ogive::SetupError);
   CHECK_THROWS_AS(add_row(csv, {1.0, 2.0, 3.0}), ogive::SetupError);
   CHECK(read_text(path) == "a,b\n");
-  for (const char *name : {"", "a,b", "a\nb", "a\"b"}) CHECK_THROWS_AS(open_csv(path, {name}), ogive::SetupError);
-  CHECK_THROWS_AS(open_csv(path, {}), ogive::SetupError);
+  for (const char *name : {"", "a,b", "a\nb", "a\"b"}) CHECK_THROWS_AS(continue_csv(path, {name}), ogive::SetupError);
+  CHECK_THROWS_AS(continue_csv(path, {}), ogive::SetupError);
 }
 
 TEST_CASE("a table that cannot be written names the file and the reason") {
   const TemporaryFolder folder;
   const auto missing = folder.path / "gone" / "history.csv";
-  CHECK_THROWS_WITH(open_csv(missing, {"a"}), "cannot write " + missing.string() + ": No such file or directory");
+  CHECK_THROWS_WITH(continue_csv(missing, {"a"}), "cannot write " + missing.string() + ": No such file or directory");
   const auto path = folder.path / "history.csv";
-  auto csv = open_csv(path, {"a"});
+  auto csv = continue_csv(path, {"a"});
   {
     const FullDisk full(6);
     add_row(csv, {1.0});
@@ -100,5 +99,5 @@ TEST_CASE("a full disk shows at the first row that does not fit") {
     WARN("skipped: there is no /dev/full");
     return;
   }
-  CHECK_THROWS_WITH(open_csv("/dev/full", {"a"}), "cannot write /dev/full: No space left on device");
+  CHECK_THROWS_WITH(continue_csv("/dev/full", {"a"}), "cannot write /dev/full: No space left on device");
 }

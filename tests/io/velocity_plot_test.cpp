@@ -13,7 +13,7 @@ using namespace ogive;
 namespace {
 
 std::filesystem::path sample_history(const std::filesystem::path &folder, const std::string &name = "history.csv") {
-  auto csv = open_csv(folder / name, {"step", "time_us", "velocity_m_per_s"});
+  auto csv = continue_csv(folder / name, {"step", "time_us", "velocity_m_per_s"});
   for (int k = 0; k <= 20; ++k) add_row(csv, {100.0 * k, 5.0 * k, 303.5 - (k < 12 ? 14.0 * k : 160.0)});
   return csv.path;
 }
@@ -95,7 +95,7 @@ TEST_CASE("a plot that gnuplot cannot draw leaves the old one") {
   const TemporaryFolder folder;
   const auto history = sample_history(folder.path);
   const auto empty = folder.path / "empty.csv";
-  { const auto csv = open_csv(empty, {"time_us", "velocity_m_per_s"}); }
+  { const auto csv = continue_csv(empty, {"time_us", "velocity_m_per_s"}); }
   write_atomically(folder.path / "old.svg", "old");
   CHECK_THROWS_AS(write_velocity_plot(empty, folder.path / "old.svg"), WriteError);
   CHECK(read_text(folder.path / "old.svg") == "old");

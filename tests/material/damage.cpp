@@ -239,11 +239,11 @@ TEST_CASE("damage softens the flow stress", "[material]") {
   metal.damage.softening = 0.3;
   MaterialPoint<double> p = initial_point(metal);
   p.plastic_strain = 0.2, p.damage = 0.5;
-  const double sound = flow_stress(metal.flow, 0.2, metal.rate_floor, 293.0).value;
+  const double sound = flow_stress(metal, 0.2, metal.rate_floor, 293.0).value;
   const double q = 2 * sound, dt = 1.0;
   // So slow that the rate stays at its floor; the increment is then that of the hardening alone.
   const auto plastic = radial_return(metal, p, q, dt);
-  const double hardened = flow_stress(metal.flow, 0.2 + plastic.increment, metal.rate_floor, 293.0).value;
+  const double hardened = flow_stress(metal, 0.2 + plastic.increment, metal.rate_floor, 293.0).value;
   CHECK(plastic.flow_stress == Approx((1 - 0.3 * 0.5) * hardened).epsilon(1e-7));
   p.damage = 7;
   CHECK(radial_return(metal, p, 0.5 * sound, dt).flow_stress == Approx(0.7 * sound).epsilon(1e-12)); // D counts to 1

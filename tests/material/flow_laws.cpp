@@ -19,16 +19,16 @@ Mat3<double> uniaxial_rate(double axial, double lateral) {
 /// Central difference of the flow stress in one argument.
 template <class F> double slope(F &&f, double x, double dx) { return (f(x + dx) - f(x - dx)) / (2 * dx); }
 
-template <class Law> void check_derivatives(const Law &law) {
+template <class Law> void check_derivatives(const Metal<double, Law> &metal) {
   const double e = 0.2, r = 1e4, t = 600;
-  const auto at = flow_stress(law, e, r, t);
+  const auto at = flow_stress(metal, e, r, t);
   // Central differences are good to the square of their step, about 1e-8 relative here.
   CHECK(at.by_plastic_strain ==
-        Approx(slope([&](double x) { return flow_stress(law, x, r, t).value; }, e, 1e-5)).epsilon(1e-6).margin(1));
+        Approx(slope([&](double x) { return flow_stress(metal, x, r, t).value; }, e, 1e-5)).epsilon(1e-6).margin(1));
   CHECK(at.by_rate ==
-        Approx(slope([&](double x) { return flow_stress(law, e, x, t).value; }, r, 1.0)).epsilon(1e-6).margin(1e-6));
+        Approx(slope([&](double x) { return flow_stress(metal, e, x, t).value; }, r, 1.0)).epsilon(1e-6).margin(1e-6));
   CHECK(at.by_temperature ==
-        Approx(slope([&](double x) { return flow_stress(law, e, r, x).value; }, t, 0.01)).epsilon(1e-6).margin(1e-3));
+        Approx(slope([&](double x) { return flow_stress(metal, e, r, x).value; }, t, 0.01)).epsilon(1e-6).margin(1e-3));
 }
 
 } // namespace
@@ -37,37 +37,63 @@ TEST_CASE("modified Johnson-Cook gives Eq. 2 by hand", "[material]") {
   const auto m = library::weldox_460e_mjc<double>();
   // (503 + 581 * 0.1^0.481) MPa * 1000^0.01 * (1 - 0.5^0.94), T* = 0.5 at 1046.5 K: each factor from a hand calculator,
   // six digits.
-  CHECK(flow_stress(m.flow, 0.1, 1.0, 293.0).value == Approx(694.944e6).epsilon(2e-5));
-  CHECK(flow_stress(m.flow, 0.1, 1000.0, 293.0).value / flow_stress(m.flow, 0.1, 1.0, 293.0).value ==
+  CHECK(flow_stress(m, 0.1, 1.0, 293.0).value == Approx(694.944e6).epsilon(2e-5));
+  CHECK(flow_stress(m, 0.1, 1000.0, 293.0).value / flow_stress(m, 0.1, 1.0, 293.0).value ==
         Approx(1.071519).epsilon(1e-6));
-  CHECK(flow_stress(m.flow, 0.1, 1.0, 1046.5).value / flow_stress(m.flow, 0.1, 1.0, 293.0).value ==
+  CHECK(flow_stress(m, 0.1, 1.0, 1046.5).value / flow_stress(m, 0.1, 1.0, 293.0).value ==
         Approx(1 - 0.521233).epsilon(1e-5));
 }
 
 TEST_CASE("the thermal factor is clamped below room and above melting temperature", "[material]") {
-  const auto law = library::weldox_460e_mjc<double>().flow;
-  CHECK(flow_stress(law, 0.1, 1.0, 200.0).value == flow_stress(law, 0.1, 1.0, 293.0).value);
-  CHECK(flow_stress(law, 0.1, 1.0, 1800.0).value == 0.0);
-  CHECK(flow_stress(law, 0.1, 1.0, 5000.0).value == 0.0);
-  CHECK(std::isfinite(flow_stress(law, 0.0, 1.0, 293.0).by_plastic_strain));
+  const auto m = library::weldox_460e_mjc<double>();
+  CHECK(flow_stress(m, 0.1, 1.0, 200.0).value == flow_stress(m, 0.1, 1.0, 293.0).value);
+  CHECK(flow_stress(m, 0.1, 1.0, 1800.0).value == 0.0);
+  CHECK(flow_stress(m, 0.1, 1.0, 5000.0).value == 0.0);
+  CHECK(std::isfinite(flow_stress(m, 0.0, 1.0, 293.0).by_plastic_strain));
 }
 
 TEST_CASE("the classical law has both published rate factors", "[material]") {
-  JohnsonCook<double> law{490e6, 383e6, 0.45, 0.0123, 0.94, 5e-4, 293, 1800, RateFactor::logarithmic};
+  JohnsonCook<double> law{490e6, 383e6, 0.45, 0.0123, 0.94, 5e-4, RateFactor::logarithmic};
+  const ReferenceTemperatures<double> steel{293, 1800};
   const double quasi_static = 490e6 + 383e6 * std::pow(0.05, 0.45);
-  CHECK(flow_stress(law, 0.05, 500.0, 293.0).value == Approx(quasi_static * (1 + 0.0123 * std::log(1e6))));
-  CHECK(flow_stress(law, 0.05, 1e-5, 293.0).value == Approx(quasi_static));
+  CHECK(flow_stress(law, 0.05, 500.0, 293.0, steel).value == Approx(quasi_static * (1 + 0.0123 * std::log(1e6))));
+  CHECK(flow_stress(law, 0.05, 1e-5, 293.0, steel).value == Approx(quasi_static));
   law.rate_factor = RateFactor::power;
-  CHECK(flow_stress(law, 0.05, 500.0, 293.0).value == Approx(quasi_static * std::pow(1 + 1e6, 0.0123)));
+  CHECK(flow_stress(law, 0.05, 500.0, 293.0, steel).value == Approx(quasi_static * std::pow(1 + 1e6, 0.0123)));
 }
 
 TEST_CASE("flow laws give the derivatives of their stress", "[material]") {
-  check_derivatives(library::weldox_460e_mjc<double>().flow);
-  check_derivatives(library::weldox_460e_jc<double>().flow);
-  auto logarithmic = library::weldox_460e_jc<double>().flow;
-  logarithmic.rate_factor = RateFactor::logarithmic;
+  check_derivatives(library::weldox_460e_mjc<double>());
+  check_derivatives(library::weldox_460e_jc<double>());
+  auto logarithmic = library::weldox_460e_jc<double>();
+  logarithmic.flow.rate_factor = RateFactor::logarithmic;
   check_derivatives(logarithmic);
-  check_derivatives(library::arne_tool_steel<double>().flow);
+  check_derivatives(library::arne_tool_steel<double>());
+}
+
+TEST_CASE("a metal whose flow law gives no strength is refused", "[material]") {
+  Metal<double, JohnsonCook<double>> m;
+  m.name = "mine";
+  m.density = 8960;
+  m.elasticity = {124e9, 0.34};
+  m.melting_temperature = 1356;
+  m.flow = {.A = 90e6, .B = 292e6, .n = 0.31, .C = 0.025, .m = 1.09, .reference_rate = 1};
+  check(m);
+  const auto refused = Catch::StartsWith("mine flow stress (Pa) at zero plastic strain, the rate floor and room");
+  auto weak = m;
+  weak.flow.A = 0;
+  CHECK_THROWS_WITH(check(weak), refused && Catch::EndsWith("= 0: must be positive and finite"));
+  weak.flow.A = -90e6;
+  CHECK_THROWS_WITH(check(weak), refused);
+  auto without_rate = m; // a reference rate that was forgotten
+  without_rate.flow.reference_rate = 0;
+  CHECK_THROWS_WITH(check(without_rate), refused);
+  auto not_a_number = m;
+  not_a_number.flow.C = std::nan("");
+  CHECK_THROWS_WITH(check(not_a_number), refused);
+  auto molten = m;
+  molten.melting_temperature = 293;
+  CHECK_THROWS_WITH(check(molten), Catch::StartsWith("mine melting temperature"));
 }
 
 TEST_CASE("bilinear hardening under uniaxial strain follows the closed form", "[material]") {
@@ -111,14 +137,14 @@ TEMPLATE_TEST_CASE("simple shear at a constant rate follows the flow law, temper
   const int n = 20000;
   for (int i = 0; i < n; ++i) {
     const double de = p.plastic_strain / n, e = (i + 0.5) * de;
-    T += 0.9 * flow_stress(metal.flow, e, rate, T).value * de / (metal.density * metal.specific_heat);
+    T += 0.9 * flow_stress(metal, e, rate, T).value * de / (metal.density * metal.specific_heat);
   }
   CHECK(p.plastic_strain == Approx(0.3).epsilon(0.02)); // total less elastic strain, about 0.0045
   // Elastic strain lags the hardening a little, so that the plastic rate is within 1 % of the total one.
   CHECK(p.plastic_strain_rate == Approx(rate).epsilon(0.01));
   CHECK(p.temperature == Approx(T).epsilon(1e-3));
   CHECK(von_mises(p.deviator) ==
-        Approx(flow_stress(metal.flow, p.plastic_strain, p.plastic_strain_rate, p.temperature).value).epsilon(1e-6));
+        Approx(flow_stress(metal, p.plastic_strain, p.plastic_strain_rate, p.temperature).value).epsilon(1e-6));
 }
 
 TEST_CASE("a rotating stressed point keeps its principal stresses", "[material]") {
@@ -149,8 +175,7 @@ TEST_CASE("radial return leaves elastic states alone and ends on the yield surfa
   for (const double q : {600e6, 2e9, 50e9, 500e9}) {
     const auto r = radial_return(m, p, q, 1e-8);
     const double t = p.temperature + 0.9 * r.flow_stress * r.increment / (m.density * m.specific_heat);
-    const double sigma =
-        flow_stress(m.flow, p.plastic_strain + r.increment, std::max(r.increment / 1e-8, 1.0), t).value;
+    const double sigma = flow_stress(m, p.plastic_strain + r.increment, std::max(r.increment / 1e-8, 1.0), t).value;
     CHECK(r.flow_stress == Approx(sigma).epsilon(1e-5).margin(1e-7 * q));
   }
 }

@@ -46,21 +46,21 @@ TEST_CASE("plates stand behind each other with their masses, rims, ties and clam
   CHECK(target_depth(c) == Approx(12.5e-3));
   const auto model = build(c);
   const auto layers = layers_of(c);
-  REQUIRE(discs(model).size() == 3);
+  REQUIRE(model.bodies.plate_particles.size() == 3);
   for (std::size_t k = 0; k < 3; ++k) {
     const double area = std::numbers::pi * c.clamp_radius * c.clamp_radius, density = k == 0 ? 7850 : 2700;
-    CHECK(whole_mass(disc(model, k).point_mass, model.symmetry) +
-              whole_mass(rim(model, k).point_mass, model.symmetry) ==
+    CHECK(whole_mass(plate_particles(model, k).point_mass, model.symmetry) +
+              whole_mass(plate_hexes(model, k).point_mass, model.symmetry) ==
           Approx(density * area * layers[k].thickness).epsilon(0.01));
-    CHECK(disc(model, k).name == "disc_" + std::to_string(k + 1));
-    CHECK(rim(model, k).name == "rim_" + std::to_string(k + 1));
+    CHECK(plate_particles(model, k).name == "disc_" + std::to_string(k + 1));
+    CHECK(plate_hexes(model, k).name == "rim_" + std::to_string(k + 1));
     double top = 1, bottom = 0;
-    for (Index n = disc(model, k).nodes.begin; n < disc(model, k).nodes.end; ++n)
+    for (Index n = plate_particles(model, k).nodes.begin; n < plate_particles(model, k).nodes.end; ++n)
       top = std::min(top, depth_of(model, n)), bottom = std::max(bottom, depth_of(model, n));
-    CHECK(top == Approx(layers[k].front + disc(model, k).spacing / 2));
-    CHECK(bottom == Approx(layers[k].front + layers[k].thickness - disc(model, k).spacing / 2));
+    CHECK(top == Approx(layers[k].front + plate_particles(model, k).spacing / 2));
+    CHECK(bottom == Approx(layers[k].front + layers[k].thickness - plate_particles(model, k).spacing / 2));
     int clamped = 0;
-    for (Index n = rim(model, k).nodes.begin; n < rim(model, k).nodes.end; ++n) {
+    for (Index n = plate_hexes(model, k).nodes.begin; n < plate_hexes(model, k).nodes.end; ++n) {
       CHECK(depth_of(model, n) >= layers[k].front);
       CHECK(depth_of(model, n) <= layers[k].front + layers[k].thickness * (1 + 1e-12));
       clamped += model.nodes.held[n] == held_all;
@@ -93,7 +93,7 @@ TEST_CASE("what flies through the hole of a plate is not taken for within its ri
   auto c = two_plates();
   auto model = build(c);
   auto &nodes = model.nodes;
-  const Index flying = disc(model).nodes.begin;
+  const Index flying = plate_particles(model).nodes.begin;
   const auto force_at = [&](double radius, double depth) {
     nodes.position[flying] = Vec3<double>(0.6 * radius, 0.8 * radius, -depth);
     for (auto &f : nodes.force) f.setZero();
@@ -105,8 +105,8 @@ TEST_CASE("what flies through the hole of a plate is not taken for within its ri
     for (const double depth : {2e-3, 3.2e-3, 4.5e-3, 5.9e-3, 6.1e-3}) CHECK(force_at(radius, depth).norm() == 0);
   CHECK(force_at(c.sph_radius + 5e-3, 3e-3 + 0.1e-3 - half)[2] > 0); // on the second rim's front face
   CHECK(force_at(c.sph_radius + 5e-3, 6e-3 - 0.1e-3 + half)[2] < 0); // on its rear face
-  CHECK(model.contacts[1].lost == -1);
-  CHECK(model.contacts[2].lost == -1);
+  CHECK(model.contacts[1].state.lost == -1);
+  CHECK(model.contacts[2].state.lost == -1);
 }
 
 TEST_CASE("one plate is built as it was: no contact but that with the projectile", "[perforation]") {
@@ -115,8 +115,8 @@ TEST_CASE("one plate is built as it was: no contact but that with the projectile
   const auto model = build(c);
   CHECK(model.contacts.size() == 1);
   CHECK(model.particle_contacts.empty());
-  CHECK(disc(model).name == "disc");
-  CHECK(rim(model).name == "rim");
+  CHECK(plate_particles(model).name == "disc");
+  CHECK(plate_hexes(model).name == "rim");
 }
 
 TEST_CASE("a shot through two plates keeps its energy and lets nothing through", "[perforation]") {
@@ -126,7 +126,7 @@ TEST_CASE("a shot through two plates keeps its energy and lets nothing through",
   Flight<double> flight = start_flight(c);
   double error = 0, first = 0, fullest = 0;
   double early = 0;
-  const auto before = disc_positions(model, 1);
+  const auto before = plate_positions(model, 1);
   const auto result = run(model, RunOptions<double>{.end_time = 150e-6}, [&](const auto &now, const auto &ledger) {
     if (first == 0) first = total(ledger);
     error = std::max(error, std::abs(total(ledger) / first - 1));
@@ -134,7 +134,7 @@ TEST_CASE("a shot through two plates keeps its energy and lets nothing through",
     // 4 mm at 300 m/s are 13 us; the first plate's plug is there a little earlier.
     if (gap > 0 && now.time < 9e-6)
       for (Index i = 0; i < Index(before.size()); ++i)
-        early = std::max(early, (now.nodes.position[disc(now, 1).nodes.begin + i] - before[i]).norm());
+        early = std::max(early, (now.nodes.position[plate_particles(now, 1).nodes.begin + i] - before[i]).norm());
     record(flight, observe_flight(now, c.projectile, flight), [&] { return is_plug_loose(now); });
     return flight.state == FlightState::in_progress;
   });
@@ -151,7 +151,7 @@ TEST_CASE("a shot through two plates keeps its energy and lets nothing through",
   CHECK(lower.plug_mass > 0.25e-3); // petals stay on; a loose plug is its share of a gram
   // What the projectile has pushed out lies below what hangs on, in the order of the plates.
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto shape = plate_shape(model, k == 0 ? disc_positions(build(c), 0) : before, 10e-3, layers_of(c)[k], k);
+    const auto shape = plate_shape(model, k == 0 ? plate_positions(build(c), 0) : before, 10e-3, layers_of(c)[k], k);
     CHECK(shape.kept_fraction < 0.7); // the aluminium leaves petals
     CHECK(shape.dishing > 0);
   }

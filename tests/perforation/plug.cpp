@@ -16,7 +16,7 @@ auto plate_and_shot(Nose nose, Extent extent) {
   c.projectile = paper_projectile<double>(nose);
   c.extent = extent;
   auto model = make_perforation(c, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
-  prepare(disc(model), model.nodes);
+  prepare(plate_particles(model), model.nodes);
   return model;
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("a whole plate has no plug", "[perforation]") {
 TEST_CASE("a cylinder moved out of the plate is the plug, a lone particle debris", "[perforation]") {
   const Extent extent = GENERATE(Extent::full, Extent::half, Extent::quarter);
   auto model = plate_and_shot(Nose::blunt, extent);
-  auto &body = disc(model);
+  auto &body = plate_particles(model);
   double mass = 0, debris = 0;
   Index lone = -1;
   for (Index i = 0; i < body.nodes.size(); ++i) {
@@ -64,8 +64,8 @@ TEST_CASE("a cylinder moved out of the plate is the plug, a lone particle debris
 
 TEST_CASE("a crumb of less than a gram is no plug", "[perforation]") {
   auto model = plate_and_shot(Nose::blunt, Extent::quarter);
-  model.nodes.position[disc(model).nodes.begin][2] += 30e-3; // 8 mg, four times
-  prepare(disc(model), model.nodes);
+  model.nodes.position[plate_particles(model).nodes.begin][2] += 30e-3; // 8 mg, four times
+  prepare(plate_particles(model), model.nodes);
   CHECK(find_fragments(model).pieces == 1);
   CHECK(find_fragments(model).plug_mass < 1e-3);
   CHECK_FALSE(is_plug_loose(model));
@@ -76,7 +76,7 @@ TEST_CASE("the intrusion is the depth of the deepest particle in the projectile"
   auto model = plate_and_shot(Nose::blunt, extent);
   CHECK(largest_intrusion(model) == 0);
   auto &p = model.nodes.position;
-  const Index first = disc(model).nodes.begin;
+  const Index first = plate_particles(model).nodes.begin;
   p[first] = {2.3e-3, 1.1e-3, 0.7e-3}; // above the flat face
   CHECK(largest_intrusion(model) == Approx(0.7e-3).epsilon(1e-6));
   p[first + 1] = {3.1e-3, 2.2e-3, 1.2e-3};
@@ -89,8 +89,8 @@ TEST_CASE("the intrusion is the depth of the deepest particle in the projectile"
 
 TEST_CASE("the plate's shape tells a plug from a bulge", "[perforation]") {
   auto model = plate_and_shot(Nose::blunt, Extent::quarter);
-  auto &body = disc(model);
-  const auto undeformed = disc_positions(model);
+  auto &body = plate_particles(model);
+  const auto undeformed = plate_positions(model);
   const auto place = [&](auto &&moved) {
     for (Index i = 0; i < body.nodes.size(); ++i) {
       const Vec3<double> &x0 = undeformed[i];

@@ -43,11 +43,12 @@ TEST_CASE("plate and projectile have their masses", "[perforation]") {
   const auto model = build(c);
   const double plate = 7850 * std::numbers::pi * c.clamp_radius * c.clamp_radius * c.thickness;
   // The rim's edges are polygons, the cubic lattice's a staircase.
-  const double found =
-      whole_mass(disc(model).point_mass, model.symmetry) + whole_mass(rim(model).point_mass, model.symmetry);
+  const double found = whole_mass(plate_particles(model).point_mass, model.symmetry) +
+                       whole_mass(plate_hexes(model).point_mass, model.symmetry);
   CHECK(found == Approx(plate).epsilon(0.01));
   // The tie moves mass from particles to hexes and loses none.
-  CHECK(mass_of(model, disc(model).nodes) + mass_of(model, rim(model).nodes) == Approx(found).epsilon(1e-12));
+  CHECK(mass_of(model, plate_particles(model).nodes) + mass_of(model, plate_hexes(model).nodes) ==
+        Approx(found).epsilon(1e-12));
   // Liu et al. 2012: 197 g; the conical one's drawing gives 195.1 g.
   const double shot = whole_mass(projectile(model).point_mass, model.symmetry);
   CHECK(shot == Approx(0.197).epsilon(nose == Nose::conical ? 0.012 : 0.005));
@@ -63,13 +64,13 @@ TEST_CASE("the parts of a shot stand where they belong", "[perforation]") {
   const auto model = build(c);
   const auto &nodes = model.nodes;
   const auto radius = [&](Index n) { return std::hypot(nodes.position[n][0], nodes.position[n][1]); };
-  for (Index n = disc(model).nodes.begin; n < disc(model).nodes.end; ++n) {
+  for (Index n = plate_particles(model).nodes.begin; n < plate_particles(model).nodes.end; ++n) {
     REQUIRE(radius(n) < c.sph_radius);
     REQUIRE(nodes.position[n][2] < 0);
     REQUIRE(nodes.position[n][2] > -c.thickness);
   }
   int clamped = 0;
-  for (Index n = rim(model).nodes.begin; n < rim(model).nodes.end; ++n) {
+  for (Index n = plate_hexes(model).nodes.begin; n < plate_hexes(model).nodes.end; ++n) {
     const auto &p = nodes.position[n];
     REQUIRE(radius(n) > c.sph_radius * (1 - 1e-6));
     if (nodes.held[n] == held_all) ++clamped;
@@ -88,15 +89,16 @@ TEST_CASE("the parts of a shot stand where they belong", "[perforation]") {
   std::vector<bool> tied(nodes.position.size(), false);
   for (const auto &t : model.ties[0].nodes) {
     tied[t.slave] = true;
-    REQUIRE(t.slave < disc(model).nodes.end);
-    REQUIRE(radius(t.slave) > c.sph_radius - 1.2 * disc(model).spacing); // on the edge only
+    REQUIRE(t.slave < plate_particles(model).nodes.end);
+    REQUIRE(radius(t.slave) > c.sph_radius - 1.2 * plate_particles(model).spacing); // on the edge only
     REQUIRE(nodes.mass[t.slave] == 0);
   }
   // And everywhere on the edge: what lies within half a particle distance and a bit (staircases, polygons) of it.
-  for (Index n = disc(model).nodes.begin; n < disc(model).nodes.end; ++n)
-    if (radius(n) > c.sph_radius - 0.6 * disc(model).spacing) REQUIRE(tied[n]);
+  for (Index n = plate_particles(model).nodes.begin; n < plate_particles(model).nodes.end; ++n)
+    if (radius(n) > c.sph_radius - 0.6 * plate_particles(model).spacing) REQUIRE(tied[n]);
   REQUIRE(model.contacts.size() == 1);
-  CHECK(model.contacts[0].slaves.size() == std::size_t(disc(model).nodes.size() + rim(model).nodes.size()));
+  CHECK(model.contacts[0].slaves.size() ==
+        std::size_t(plate_particles(model).nodes.size() + plate_hexes(model).nodes.size()));
   CHECK(model.rigid_parts.empty());
   c.rigid_projectile = true;
   CHECK(build(c).rigid_parts.size() == 1);

@@ -39,7 +39,7 @@ inline HexMesh<double> brick_at(Index nx, Index ny, Index nz, const V &size, con
 }
 
 /// A model of the bodies.
-template <class... Bodies> Model<double, Bodies...> model_of(Nodes<double> nodes, Bodies... bodies) {
+template <class... Bodies> Model<double, std::tuple<Bodies...>> model_of(Nodes<double> nodes, Bodies... bodies) {
   return {std::move(nodes), std::tuple<Bodies...>(std::move(bodies)...), SymmetryPlanes{}};
 }
 

@@ -18,8 +18,8 @@ using namespace sim_test;
 
 namespace {
 
-/// A brick of nx x ny x nz hexes of edge `h` (m) that can all turn into particles, alone: body 0 the particles, body 1
-/// the hexes, contact 0 between them.
+/// A brick of nx x ny x nz hexes of edge `h` (m) that can all turn into particles, as a plate: contact 0 is between
+/// particles and hexes. The projectile is a hex at rest, far away.
 auto convertible_brick(Index nx, Index ny, Index nz, double h, double failure_strain = 0.1) {
   auto metal = brittle(library::weldox_460e_mjc<double>(), FailureEffect::no_tension);
   metal.damage.failure_strain.D1 = failure_strain;
@@ -40,16 +40,19 @@ auto convertible_brick(Index nx, Index ny, Index nz, double h, double failure_st
   for (Index n = particles.nodes.begin; n < particles.nodes.end; ++n) slaves.push_back(n);
   auto contact = make_contact(nodes, slaves, std::vector<double>(slaves.size(), h / 2),
                               exposed_facets(hexes.hexes, conversion.neighbours, [](Index) { return false; }), "own");
-  contact.reference_time_step = 0.4 * h / sound_speed(metal);
-  Model model{std::move(nodes), std::tuple{std::move(particles), std::move(hexes)}, SymmetryPlanes{}};
+  contact.state.reference_time_step = 0.4 * h / sound_speed(metal);
+  auto far =
+      add_hex_body(nodes, brick_at(1, 1, 1, V(1, 1, 1), V(10, 10, 10)), library::arne_tool_steel<double>(), "far");
+  PerforationBodies<decltype(particles), decltype(hexes), decltype(far)> bodies{{particles}, {hexes}, far};
+  Model model{std::move(nodes), std::move(bodies), SymmetryPlanes{}};
   model.contacts.push_back(std::move(contact));
   begin_conversion(conversion, model);
   model.conversions.push_back(std::move(conversion));
   return model;
 }
 
-template <class M> auto &particles_of(M &model) { return std::get<0>(model.bodies); }
-template <class M> auto &hexes_of(M &model) { return std::get<1>(model.bodies); }
+template <class M> auto &particles_of(M &model) { return plate_particles(model); }
+template <class M> auto &hexes_of(M &model) { return plate_hexes(model); }
 
 /// True if every edge of the facets is run through once in each direction: a closed surface.
 bool is_closed(const std::vector<Facet> &facets) {
@@ -248,13 +251,13 @@ TEST_CASE("a particle rests on hexes, and one that is born overlapping them gain
     nodes.position[n] = V(1.5e-3, 1.5e-3, 1.8e-3);
     const double before = total(energy(model));
     for (int i = 0; i < 50; ++i) step(model, stable_time_step(model));
-    CHECK(contact.present_offset[e] == Approx(-0.2e-3).epsilon(1e-6));
+    CHECK(contact.state.present_offset[e] == Approx(-0.2e-3).epsilon(1e-6));
     CHECK(nodes.velocity[n].norm() == Approx(0).margin(1e-9));
     CHECK(std::abs(total(energy(model)) - before) < 1e-9);
     // Pulled out it has its full size again, and no energy from that.
     nodes.velocity[n] = V(0, 0, 50);
     while (nodes.position[n][2] < 3.5e-3) step(model, stable_time_step(model));
-    CHECK(contact.present_offset[e] == 0.5e-3);
+    CHECK(contact.state.present_offset[e] == 0.5e-3);
     CHECK(nodes.velocity[n][2] == Approx(50).epsilon(1e-9));
   }
   SECTION("born as deep as a slave may get, it is not lost when it is pressed on, and comes back no faster") {
@@ -267,7 +270,7 @@ TEST_CASE("a particle rests on hexes, and one that is born overlapping them gain
       lowest = std::min(lowest, nodes.position[n][2]);
     }
     CHECK(lowest < 2e-3);
-    CHECK(contact.lost < 0);
+    CHECK(contact.state.lost < 0);
     CHECK(nodes.velocity[n][2] > 0);
     CHECK(nodes.velocity[n].norm() < 20.5);
   }
@@ -276,7 +279,7 @@ TEST_CASE("a particle rests on hexes, and one that is born overlapping them gain
 TEST_CASE("a plate of hexes has the particle's size, a ring astride the projectile's edge, and is closed", "[sim]") {
   const auto extent = GENERATE(Extent::quarter, Extent::half, Extent::full);
   const auto model = adaptive_shot(Nose::blunt, 1, false, extent);
-  const auto &hexes = rim(model);
+  const auto &hexes = plate_hexes(model);
   double mass = 0;
   Index onto = 0;
   for (Index n = hexes.nodes.begin; n < hexes.nodes.end; ++n) {
@@ -295,9 +298,9 @@ TEST_CASE("a plate of hexes has the particle's size, a ring astride the projecti
   }
   const double pi = 3.14159265358979;
   CHECK(mass * model.symmetry.copies() == Approx(7850 * pi * 40e-3 * 40e-3 * 6e-3).epsilon(0.02));
-  for (Index i = 0; i < disc(model).points.size(); ++i) {
-    CHECK(is_unborn(disc(model), i));
-    CHECK(model.nodes.mass[disc(model).nodes.begin + i] == 0);
+  for (Index i = 0; i < plate_particles(model).points.size(); ++i) {
+    CHECK(is_unborn(plate_particles(model), i));
+    CHECK(model.nodes.mass[plate_particles(model).nodes.begin + i] == 0);
   }
   if (extent == Extent::full) CHECK(is_closed(model.contacts[1].facets));
   CHECK(find_fragments(model).plug_mass == 0);
@@ -307,7 +310,7 @@ TEST_CASE("a plate of hexes has the particle's size, a ring astride the projecti
 TEST_CASE("a shot through a plate of hexes keeps momentum and energy, and a plug comes out", "[sim]") {
   const bool rigid = GENERATE(false, true);
   auto model = adaptive_shot(Nose::blunt, 0.5, rigid);
-  const auto undeformed = disc_positions(model);
+  const auto undeformed = plate_positions(model);
   const Balance balance = follow(model, 60e-6);
   CHECK(balance.energy_error < 0.005);
   CHECK(balance.momentum_error < 1e-10);

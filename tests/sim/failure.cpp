@@ -80,7 +80,7 @@ TEST_CASE("a plate that loses its particles keeps energy and momentum, and the p
   omp_set_num_threads(before);
   CHECK(state_hash(model) == state_hash(again));
 
-  const auto &body = disc(model);
+  const auto &body = plate_particles(model);
   const auto &contact = model.contacts.front();
   Index failed = 0;
   for (Index i = 0; i < body.points.size(); ++i) failed += is_failed(body.metal.damage, body.points.damage[i]) ? 1 : 0;
@@ -90,11 +90,11 @@ TEST_CASE("a plate that loses its particles keeps energy and momentum, and the p
   CHECK(fragments.failed_mass > 0);
   Index released = 0;
   for (std::size_t s = 0; s < contact.slaves.size(); ++s) {
-    if (contact.slave_mass[s] > 0) continue;
+    if (contact.state.slave_mass[s] > 0) continue;
     ++released;
     CHECK(is_removed(body, contact.slaves[s] - body.nodes.begin));
-    CHECK(contact.forces[s].normal.norm() == 0);
-    CHECK(contact.forces[s].friction.norm() == 0);
+    CHECK(contact.state.forces[s].normal.norm() == 0);
+    CHECK(contact.state.forces[s].friction.norm() == 0);
   }
   CHECK(released == (effect == FailureEffect::removal ? failed : 0));
 }
@@ -105,7 +105,7 @@ TEST_CASE("failed particles connect nothing: a plug comes loose", "[sim]") {
                                 library::arne_tool_steel<double>());
   step(model, stable_time_step(model));
   CHECK(find_fragments(model).pieces == 0);
-  auto &body = disc(model);
+  auto &body = plate_particles(model);
   double cut = 0, inside = 0;
   for (Index i = 0; i < body.points.size(); ++i) {
     const V &x = model.nodes.position[body.nodes.begin + i];
@@ -126,8 +126,8 @@ TEST_CASE("frames leave removed material out", "[sim]") {
                                 brittle(library::weldox_460e_mjc<double>(), FailureEffect::removal),
                                 library::arne_tool_steel<double>());
   const Frame whole = gather_frame(model);
-  auto &body = disc(model);
-  auto &hexes = rim(model);
+  auto &body = plate_particles(model);
+  auto &hexes = plate_hexes(model);
   body.points.damage[3] = 1.2;
   // All hexes around one node, so that the node is left out too.
   const Index node = hexes.hexes[0][0];

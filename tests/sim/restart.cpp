@@ -50,7 +50,7 @@ template <class Make> void compare(Make &&make, const std::vector<std::int64_t> 
   const int threads = omp_get_max_threads();
   omp_set_num_threads(2);
   auto whole = make();
-  const auto first_lists = disc_positions(whole);
+  const auto first_lists = plate_positions(whole);
   RunState<double> whole_run;
   Seen seen, seen_whole;
   run(whole, options, whole_run, observer_into<M>(seen_whole), [](const auto &, const auto &) { return false; });
@@ -72,9 +72,9 @@ template <class Make> void compare(Make &&make, const std::vector<std::int64_t> 
     CHECK(checkpoint.notes == "notes");
     restore(checkpoint, fresh, fresh_state);
     CHECK(state_bytes(fresh, fresh_state) == state_bytes(model, state));
-    CHECK(disc(fresh).neighbours.list == disc(model).neighbours.list);
-    CHECK(fresh.contacts[0].candidates == model.contacts[0].candidates);
-    CHECK(fresh.contacts[0].active == model.contacts[0].active);
+    CHECK(plate_particles(fresh).neighbours.list == plate_particles(model).neighbours.list);
+    CHECK(fresh.contacts[0].candidates.facets == model.contacts[0].candidates.facets);
+    CHECK(fresh.contacts[0].candidates.active == model.contacts[0].candidates.active);
     CHECK(total(energy(fresh)) == total(energy(model)));
     model = std::move(fresh), state = fresh_state;
   }
@@ -89,12 +89,12 @@ template <class Make> void compare(Make &&make, const std::vector<std::int64_t> 
 
   // The features are there: otherwise this would prove little.
   Index failed = 0;
-  for (Index i = 0; i < disc(whole).points.size(); ++i)
-    failed += is_failed(disc(whole).metal.damage, disc(whole).points.damage[i]);
+  for (Index i = 0; i < plate_particles(whole).points.size(); ++i)
+    failed += is_failed(plate_particles(whole).metal.damage, plate_particles(whole).points.damage[i]);
   CHECK(failed > 3);
   CHECK(energy(whole).friction > 0);
-  CHECK(disc(whole).neighbours.built_at != first_lists);
-  CHECK(disc(whole).neighbours.images.size() > 20);
+  CHECK(plate_particles(whole).neighbours.built_at != first_lists);
+  CHECK(plate_particles(whole).neighbours.images.size() > 20);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #include "catch.hpp"
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include <limits>
 
@@ -267,7 +267,7 @@ TEST_CASE("a particle that contact has lost inside a body stops the run", "[sim]
   });
   if (soft > 1e-3) {
     CHECK(result.reason == StopReason::end_time);
-    CHECK(model.contacts[0].lost == -1);
+    CHECK(model.contacts[0].state.lost == -1);
     return;
   }
   REQUIRE(result.reason == StopReason::fault);
@@ -279,7 +279,7 @@ TEST_CASE("a particle that contact has lost inside a body stops the run", "[sim]
   CHECK(result.fault->id < 4); // the lower four come first
   CHECK(result.fault->time_us == Approx(model.time * 1e6));
   CHECK(last == model.time);
-  const Index node = model.contacts[0].slaves[model.contacts[0].lost];
+  const Index node = model.contacts[0].slaves[model.contacts[0].state.lost];
   CHECK(model.nodes.position[node][2] < -margin);
   CHECK(model.nodes.position[node][2] > -margin - 200 * 25 * 1.1e-7); // found within 20 steps and a few
 }
@@ -291,7 +291,7 @@ TEST_CASE("what has been let go may lie anywhere", "[sim]") {
   auto block = add_sph_body(nodes, lattice(1, 1, 1, spacing, V(0, 0, 0)), fem_test::steel<double>(), "block");
   set_velocity(nodes, block.nodes, V(0, 0, -200));
   auto contact = make_contact(nodes, {block.nodes.begin}, {0.5 * spacing}, boundary_facets(mesh), "contact");
-  contact.slave_mass[0] = 0;
+  contact.state.slave_mass[0] = 0;
   auto model = model_of(std::move(nodes), std::move(target), std::move(block));
   model.contacts.push_back(std::move(contact));
   CHECK(run(model, RunOptions<double>{.end_time = 15e-6}, go_on).reason == StopReason::end_time);

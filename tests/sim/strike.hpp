@@ -3,7 +3,7 @@
 
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 namespace sim_test {
 

@@ -21,10 +21,11 @@ double largest_distance(const M &part, const std::vector<Vec3<double>> &part_sta
     for (Index n = body.nodes.begin; n < body.nodes.end; ++n) {
       Index twin = -1;
       double nearest = 1e-12;
-      for (Index m = 0; m < whole.nodes.size(); ++m)
-        if (const double d = (part_start[n] - whole_start[m]).norm();
-            d < nearest && body_of_node(whole, m) == body.name)
-          nearest = d, twin = m;
+      for_each_body(whole, [&](const auto &whole_body) {
+        if (whole_body.name != body.name) return;
+        for (Index m = whole_body.nodes.begin; m < whole_body.nodes.end; ++m)
+          if (const double d = (part_start[n] - whole_start[m]).norm(); d < nearest) nearest = d, twin = m;
+      });
       REQUIRE(twin >= 0);
       largest = std::max(largest, (part.nodes.position[n] - whole.nodes.position[twin]).norm());
     }

@@ -2,6 +2,8 @@
 #include "catch.hpp"
 #include "sim/taylor_rod.hpp"
 
+#include "ogive/material/johnson_cook.hpp"
+
 using namespace sim_test;
 
 // The copper rod of the code comparisons. Published codes end, at 80 us, between 21.2 and 21.6 mm long with a foot
@@ -10,7 +12,7 @@ using namespace sim_test;
 namespace {
 
 void check_rod(const Rod &rod, double margin) {
-  const TaylorCase c = copper_rod();
+  const TaylorCase<Steel> c = copper_rod();
   REQUIRE(rod.finished);
   CHECK(rod.length == Approx(21.4e-3).epsilon(margin));
   CHECK(rod.foot == Approx(7.1e-3).epsilon(2 * margin));
@@ -32,4 +34,38 @@ TEMPLATE_TEST_CASE("a Taylor bar of hexes mushrooms as published", "[sim]", OneP
 
 TEST_CASE("a Taylor bar of particles mushrooms as published", "[sim]") {
   check_rod(rod_of_particles(copper_rod(), 0.8e-3), 0.05);
+}
+
+namespace {
+
+/// The copper rod with a law of the Johnson-Cook family that is, at room temperature, the bilinear one. As a user
+/// builds it: the temperatures are given to the metal, and to nothing else.
+template <class Law> TaylorCase<Law> user_built_rod(const Law &law) {
+  const TaylorCase<Steel> c = copper_rod();
+  Metal<double, Law> m;
+  m.name = "my copper";
+  m.density = c.metal.density;
+  m.elasticity = c.metal.elasticity;
+  m.flow = law;
+  m.room_temperature = 293;
+  m.melting_temperature = 1356;
+  return {m, c.length, c.radius, c.speed, c.end_time};
+}
+
+template <class Law> void check_user_built(const Law &law) {
+  auto c = user_built_rod(law);
+  const Rod isothermal = rod_of_hexes<OnePoint>(c, 0.8e-3);
+  check_rod(isothermal, 0.04);
+  c.metal.specific_heat = 385;
+  const Rod heated = rod_of_hexes<OnePoint>(c, 0.8e-3);
+  REQUIRE(heated.finished);
+  CHECK(heated.length < isothermal.length);
+  CHECK(heated.length > 0.95 * isothermal.length); // 227 m/s heat the rod by 60 K on average, 6 % of Tm - Tr
+}
+
+} // namespace
+
+TEST_CASE("a Taylor bar of a user's Johnson-Cook metal has its strength", "[sim]") {
+  check_user_built(ModifiedJohnsonCook<double>{.A = 400e6, .B = 100e6, .a = 1, .C = 0, .b = 1});
+  check_user_built(JohnsonCook<double>{.A = 400e6, .B = 100e6, .n = 1, .C = 0, .m = 1, .reference_rate = 1});
 }

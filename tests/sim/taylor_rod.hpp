@@ -3,7 +3,7 @@
 
 #include "sim/blocks.hpp"
 
-#include "ogive/fem/projectile.hpp"
+#include "ogive/mesh/projectile.hpp"
 #include "ogive/sph/layout.hpp"
 
 /// \file
@@ -12,14 +12,14 @@
 namespace sim_test {
 
 /// A rod and how it strikes; SI units.
-struct TaylorCase {
-  Metal<double, Steel> metal;
+template <class Law> struct TaylorCase {
+  Metal<double, Law> metal;
   double length, radius, speed;
   double end_time; ///< when the rod has come to rest
 };
 
 /// The copper rod of the code comparisons (e.g. Camacho & Ortiz 1997).
-inline TaylorCase copper_rod() {
+inline TaylorCase<Steel> copper_rod() {
   Metal<double, Steel> m;
   m.name = "copper";
   m.density = 8930;
@@ -41,7 +41,7 @@ struct Rod {
   std::vector<double> radii; ///< of slices from the foot upwards
 };
 
-template <class M> Rod fly_against_wall(M &model, NodeRange range, const TaylorCase &c) {
+template <class M, class Law> Rod fly_against_wall(M &model, NodeRange range, const TaylorCase<Law> &c) {
   auto &nodes = model.nodes;
   for (Index n = range.begin; n < range.end; ++n) // what touches the wall is at rest
     nodes.velocity[n][2] = nodes.held[n] & held_z ? 0 : -c.speed;
@@ -81,7 +81,8 @@ template <class M> Rod fly_against_wall(M &model, NodeRange range, const TaylorC
 /// The rod of hexes of the size that suits particles `spacing` (m) apart. Hourglass control is elastic and does not
 /// yield. The default, 0.1, is made for small plastic strains: it holds the copper rod's foot, whose strain is 1 to 3,
 /// at 4.6 mm. With 0.002 its work is 1 % of the energy.
-template <class Rule> Rod rod_of_hexes(const TaylorCase &c, double spacing, double hourglass_stiffness = 0.002) {
+template <class Rule, class Law>
+Rod rod_of_hexes(const TaylorCase<Law> &c, double spacing, double hourglass_stiffness = 0.002) {
   HexOptions<double> options;
   options.hourglass_stiffness = hourglass_stiffness;
   Nodes<double> nodes;
@@ -92,13 +93,13 @@ template <class Rule> Rod rod_of_hexes(const TaylorCase &c, double spacing, doub
   for (Index n = rod.nodes.begin; n < rod.nodes.end; ++n)
     if (nodes.position[n][2] < 1e-9) nodes.held[n] |= held_z;
   const NodeRange range = rod.nodes;
-  using Body = HexBody<double, Steel, Rule>;
-  Model<double, Body> model{std::move(nodes), std::tuple<Body>(std::move(rod)), planes};
+  using Body = HexBody<double, Law, Rule>;
+  Model<double, std::tuple<Body>> model{std::move(nodes), std::tuple<Body>(std::move(rod)), planes};
   return fly_against_wall(model, range, c);
 }
 
 /// The rod of particles `spacing` (m) apart, against a hex that does not move.
-inline Rod rod_of_particles(const TaylorCase &c, double spacing) {
+inline Rod rod_of_particles(const TaylorCase<Steel> &c, double spacing) {
   Nodes<double> nodes;
   const SymmetryPlanes planes = symmetry_planes(Extent::quarter);
   auto rod = add_sph_body(nodes, ring_disc(DiscShape<double>{c.radius, c.length, spacing}, Extent::quarter), c.metal,
@@ -114,7 +115,7 @@ inline Rod rod_of_particles(const TaylorCase &c, double spacing) {
   const auto facets = facets_off_planes(boundary_facets(mesh), mesh.positions, planes, 0.0);
   auto contact = make_contact(nodes, slaves, std::vector<double>(slaves.size(), distance / 2),
                               shifted(facets, wall.begin), "wall", {}, planes);
-  Model<double, Sph> model{std::move(nodes), std::tuple<Sph>(std::move(rod)), planes};
+  Model<double, std::tuple<Sph>> model{std::move(nodes), std::tuple<Sph>(std::move(rod)), planes};
   model.contacts.push_back(std::move(contact));
   Rod end = fly_against_wall(model, range, c);
   end.length += distance; // from centres to surfaces

@@ -68,6 +68,6 @@ TEST_CASE("the hash sees the last bit of the state", "[sim]") {
   CHECK(state_hash(model) != hash);
   x = before;
   CHECK(state_hash(model) == hash);
-  disc(model).points.temperature[3] += 1e-12 * 293;
+  plate_particles(model).points.temperature[3] += 1e-12 * 293;
   CHECK(state_hash(model) != hash);
 }

@@ -31,7 +31,7 @@ Bonded bonded(double yield = 1e15) {
 void compute_forces(Bonded &b, double dt) {
   for (auto &f : b.nodes.force) f.setZero();
   prepare(b.body, b.nodes);
-  velocity_gradient(b.body, b.nodes);
+  velocity_gradient(b.body);
   update_stress(b.body, dt);
   add_internal_force(b.body, b.nodes, dt);
 }
@@ -174,7 +174,7 @@ TEST_CASE("a bond bears a fraction of the flow stress, less while the metal flow
   Bonded flowing = bonded();
   compute_forces(flowing, 1e-8);
   set_sawtooth(flowing, 20);
-  prepare(flowing.body, flowing.nodes), velocity_gradient(flowing.body, flowing.nodes);
+  prepare(flowing.body, flowing.nodes), velocity_gradient(flowing.body);
   std::fill(flowing.body.points.plastic_strain_rate.begin(), flowing.body.points.plastic_strain_rate.end(), 1.0);
   add_internal_force(flowing.body, flowing.nodes, 1e-8);
   CHECK(largest_moment(flowing) == Approx(0.1 * largest_moment(strong)).epsilon(1e-9));

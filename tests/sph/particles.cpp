@@ -58,7 +58,7 @@ TEST_CASE("neighbour lists hold what brute force finds, mirror images included",
   for (const Index i : n.order) at_place.push_back(layout.positions[i]);
   for (const auto &image : n.images) {
     REQUIRE(n.order[image.place] == image.parent);
-    at_place.push_back(mirrored(layout.positions[image.parent], image));
+    at_place.push_back(reflected(layout.positions[image.parent], image.reflection));
   }
   REQUIRE(n.order.size() % lanes<double> == 0);
   REQUIRE(std::set<Index>(n.order.begin(), n.order.end()).size() == std::size_t(count));
@@ -72,7 +72,7 @@ TEST_CASE("neighbour lists hold what brute force finds, mirror images included",
     for (Index l = 0; l < lanes<double>; ++l)
       for (int flips = 0; flips < 4; ++flips)
         for (Index j = 0; j < count; ++j) {
-          const Vec3<double> x = mirrored(layout.positions[j], {j, 0, (flips & 1) != 0, (flips & 2) != 0});
+          const Vec3<double> x = reflected(layout.positions[j], {(flips & 1) != 0, (flips & 2) != 0});
           if ((x - at_place[c * lanes<double> + l]).norm() < n.reach) expected.insert({x[0], x[1], x[2]});
         }
     REQUIRE(found == expected);
@@ -97,8 +97,9 @@ TEST_CASE("a particle behind a mirror plane and its neighbours find each other b
       const MirrorImage &image = lists.images[k - places];
       for (Index i = c * lanes<double>; i < std::min(n, (c + 1) * lanes<double>); ++i)
         // A list is that of a cluster: not all of it is within reach of each particle.
-        if ((mirrored(layout.positions[image.parent], image) - layout.positions[lists.order[i]]).norm() < lists.reach)
-          links.insert({lists.order[i], image.parent, image.flip_x, image.flip_y});
+        if ((reflected(layout.positions[image.parent], image.reflection) - layout.positions[lists.order[i]]).norm() <
+            lists.reach)
+          links.insert({lists.order[i], image.parent, image.reflection.x, image.reflection.y});
     }
   CHECK(links.size() > 1000);
   for (const Link &l : links) REQUIRE(links.count({l[1], l[0], l[2], l[3]}) == 1);
@@ -128,7 +129,7 @@ TEMPLATE_TEST_CASE("the corrected gradient of a linear field is exact, at free s
   const Mat3<double> L = some_gradient();
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   check_gradient(body.points.velocity_gradient, L, 8);
 }
 
@@ -142,7 +143,7 @@ TEST_CASE("pressures that alternate from particle to particle cancel in the mean
   const auto mean_of = [&](auto &&pressure) {
     for (Index i = 0; i < body.points.size(); ++i) body.points.pressure[i] = pressure(i);
     prepare(body, nodes);
-    velocity_gradient(body, nodes);
+    velocity_gradient(body);
   };
   mean_of([](Index) { return 5e8; });
   for (const double mean : body.points.neighbour_pressure) REQUIRE(mean == Approx(5e8)); // at free surfaces, too
@@ -215,7 +216,7 @@ TEST_CASE("the corrected gradient is exact at mirror planes for fields that resp
   L.diagonal() << 70, -40, 25;
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   check_gradient(body.points.velocity_gradient, L, 2);
 }
 
@@ -228,7 +229,7 @@ TEST_CASE("with a variable smoothing length the corrected gradient stays exact",
   const Mat3<double> L = some_gradient();
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   check_gradient(body.points.velocity_gradient, L, 8);
 }
 
@@ -239,7 +240,7 @@ TEST_CASE("the standard form is second order inside and poor at free surfaces", 
   const Mat3<double> L = some_gradient();
   for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = L * nodes.position[i];
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   const auto at = [&](double x, double y, double z) {
     Index best = 0;
     for (Index i = 0; i < nodes.size(); ++i)
@@ -268,7 +269,7 @@ TEMPLATE_TEST_CASE("internal forces are the transpose of the gradient and conser
     body.points.pressure[i] = u(random);
   }
   prepare(body, nodes);
-  velocity_gradient(body, nodes);
+  velocity_gradient(body);
   add_internal_force(body, nodes, 0.0);
   Vec3<double> sum = Vec3<double>::Zero();
   double power = 0, scale = 0, stress_power = 0;
@@ -295,7 +296,7 @@ TEST_CASE("artificial viscosity takes energy and only from approaching pairs", "
     }
     std::fill(body.viscous_energy.begin(), body.viscous_energy.end(), 0.0);
     prepare(body, nodes);
-    velocity_gradient(body, nodes);
+    velocity_gradient(body);
     add_internal_force(body, nodes, 1.0);
     double power = 0;
     for (Index i = 0; i < nodes.size(); ++i) power += nodes.force[i].dot(nodes.velocity[i]);
@@ -322,7 +323,7 @@ TEST_CASE("a block of particles that turns as a rigid body stays free of stress"
       nodes.position[n] = x;
     }
     prepare(body, nodes);
-    velocity_gradient(body, nodes);
+    velocity_gradient(body);
     update_stress(body, dt);
   }
   // More than a full turn. Exact gradient, midstep rate: only round-off times the number of steps is left, 1e-9 of E.

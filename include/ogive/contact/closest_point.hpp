@@ -46,11 +46,29 @@ template <class T> struct FacetPoint {
   T distance_squared{};               ///< m2
 };
 
+/// The nearest of some facets so far. Two that are equally near to 1e-6, as on both sides of an edge, are told apart by
+/// how well their normals point to the place that they are near to.
+template <class T> struct NearestSoFar {
+  T distance_squared{}; ///< m2
+  T alignment{};        ///< m, part of the distance that is along the normal
+  bool empty = true;    ///< there has been none
+
+  /// Takes a facet if it is nearer, or as near and better aligned; true if it does.
+  bool take(T candidate_squared, T candidate_alignment) {
+    const T tie = T(1e-6) * (distance_squared + candidate_squared);
+    if (!empty && !(candidate_squared < distance_squared - tie) &&
+        !(candidate_squared <= distance_squared + tie && candidate_alignment > alignment))
+      return false;
+    *this = {candidate_squared, candidate_alignment, false};
+    return true;
+  }
+};
+
 /// Closest point of a quadrilateral, taken as four triangles around its middle so that no diagonal is preferred.
 template <class T> FacetPoint<T> closest_on_facet(const Vec3<T> &p, const std::array<Vec3<T>, 4> &corner) {
   const Vec3<T> middle = T(0.25) * (corner[0] + corner[1] + corner[2] + corner[3]);
   FacetPoint<T> best;
-  T best_alignment{};
+  NearestSoFar<T> nearest;
   for (int k = 0; k < 4; ++k) {
     const int l = (k + 1) % 4;
     const Vec3<T> bary = closest_on_triangle(p, corner[k], corner[l], middle);
@@ -58,17 +76,13 @@ template <class T> FacetPoint<T> closest_on_facet(const Vec3<T> &p, const std::a
     const T d2 = (p - x).squaredNorm();
     const Vec3<T> area = cross<T>(corner[l] - corner[k], middle - corner[k]);
     const Vec3<T> normal = area / std::max(area.norm(), T(1e-30));
-    const T alignment = std::abs(normal.dot(p - x));
-    const T tie = T(1e-6) * (best.distance_squared + d2);
-    if (k == 0 || d2 < best.distance_squared - tie ||
-        (d2 <= best.distance_squared + tie && alignment > best_alignment)) {
+    if (nearest.take(d2, std::abs(normal.dot(p - x)))) {
       best.weights = {T(0.25) * bary[2], T(0.25) * bary[2], T(0.25) * bary[2], T(0.25) * bary[2]};
       best.weights[k] += bary[0];
       best.weights[l] += bary[1];
       best.position = x;
       best.normal = normal;
       best.distance_squared = d2;
-      best_alignment = alignment;
     }
   }
   return best;

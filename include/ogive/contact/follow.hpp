@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/contact/force.hpp"
+#include "ogive/contact/ledger.hpp"
 #include "ogive/contact/node_to_surface.hpp"
 
 #include <cstddef>
@@ -22,28 +22,28 @@ template <class T> void settle(NodeToSurface<T> &contact, Nodes<T> &nodes, Index
     take_back(contact, nodes, s, force);
     force = {};
   };
-  end(contact.forces[s]);
-  if (!contact.opposite.empty()) end(contact.opposite[s]);
+  end(contact.state.forces[s]);
+  if (!contact.state.opposite.empty()) end(contact.state.opposite[s]);
 }
 
-/// Takes the masses that the slaves have now. A slave without mass is let go. One that had none is new: it may overlap
+/// Takes the masses that the slaves have now. A slave without mass is deactivated. One that had none is new: it may overlap
 /// the surface, and its offset grows from where it is.
 template <class T> void follow_slaves(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt) {
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
     const T mass = nodes.mass[contact.slaves[s]];
-    if (mass == contact.slave_mass[s]) continue;
-    if (contact.slave_mass[s] == T(0)) contact.present_offset[s] = std::numeric_limits<T>::lowest();
+    if (mass == contact.state.slave_mass[s]) continue;
+    if (contact.state.slave_mass[s] == T(0)) contact.state.present_offset[s] = std::numeric_limits<T>::lowest();
     if (mass == T(0)) settle(contact, nodes, s, dt);
-    contact.slave_mass[s] = mass;
+    contact.state.slave_mass[s] = mass;
   }
-  contact.searched_at.clear();
+  contact.state.searched_at.clear();
 }
 
 /// Number of slaves that overlap the surface: their offset is below zero.
 template <class T> Index count_buried(const NodeToSurface<T> &contact) {
   Index buried = 0;
-  for (std::size_t s = 0; s < contact.present_offset.size(); ++s)
-    buried += contact.slave_mass[s] > T(0) && contact.present_offset[s] < T(0) ? 1 : 0;
+  for (std::size_t s = 0; s < contact.state.present_offset.size(); ++s)
+    buried += contact.state.slave_mass[s] > T(0) && contact.state.present_offset[s] < T(0) ? 1 : 0;
   return buried;
 }
 
@@ -51,7 +51,7 @@ template <class T> Index count_buried(const NodeToSurface<T> &contact) {
 template <class T> void follow_surface(NodeToSurface<T> &contact, Nodes<T> &nodes, std::vector<Facet> facets, T dt) {
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) settle(contact, nodes, s, dt);
   set_facets(contact, nodes, std::move(facets));
-  contact.searched_at.clear();
+  contact.state.searched_at.clear();
 }
 
 } // namespace ogive

@@ -3,7 +3,7 @@
 
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 #include <array>
 #include <cstdint>
@@ -31,6 +31,30 @@ template <class T> struct ContactForce {
   Vec3<T> friction = Vec3<T>::Zero(); ///< friction force on the slave, N
 };
 
+/// What a contact has come to in the course of a run.
+template <class T> struct ContactState {
+  std::vector<T> slave_mass;             ///< kg; 0: deactivated
+  std::vector<T> present_offset;         ///< m, of slaves that began nearer than their offset; empty: that of all
+  T reference_time_step{};               ///< s, of the stiffness; 0: that of the first step
+  std::vector<ContactForce<T>> forces;   ///< one for each slave
+  std::vector<ContactForce<T>> opposite; ///< from across, on slaves in gaps; empty: gaps are not looked for
+  std::vector<T> normal_energy;          ///< J, work taken by the penalty springs, one for each slave
+  std::vector<T> friction_energy;        ///< J, one for each slave
+  Index lost = -1;                       ///< the first slave that got lost behind the surface; -1: none
+  std::vector<Vec3<T>> searched_at;      ///< positions of all nodes at the last search, m
+  std::vector<Vec3<T>> checked_at;       ///< positions of all nodes at the last check of the slaves, m
+  std::vector<T> room; ///< m, how far each slave and the surface may still approach before they can touch
+};
+
+/// Slaves that may touch the surface, and facets that they may touch: made anew by each search.
+template <class T> struct FacetCandidates {
+  std::vector<Index> active;   ///< slaves that have candidates
+  std::vector<Index> begin;    ///< of each active slave in `facets`, and the end
+  std::vector<Index> facets;   ///< grouped by active slave
+  std::vector<Vec3<T>> middle; ///< m, of each facet of the surface, of this step
+  std::vector<T> radius;       ///< m, of each facet around its middle, of this step
+};
+
 /// Nodes against facets: slave nodes (particles as spheres of radius `offset`) may not enter the surface that the
 /// master facets make up. Penalty with Coulomb friction; the reaction goes to the facet's nodes.
 template <class T> struct NodeToSurface {
@@ -39,35 +63,20 @@ template <class T> struct NodeToSurface {
   SymmetryPlanes symmetry{};                 ///< mirror planes of the model
   std::vector<Index> slaves;                 ///< node numbers
   std::vector<T> offset;                     ///< m, one for each slave
-  std::vector<T> slave_mass;                 ///< kg; 0: let go
   bool follows = false;                      ///< masses of slaves, and maybe facets, change: see follow.hpp
-  std::vector<T> present_offset;             ///< m, of slaves that began nearer than `offset`; empty: that of all
   std::vector<Facet> facets;                 ///< masters, outward
   std::vector<Index> masters;                ///< the nodes of the facets, each once
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
-  T reference_time_step{};                   ///< s, of the stiffness; 0: that of the first step
-  std::vector<ContactForce<T>> forces;       ///< one for each slave
-  std::vector<ContactForce<T>> opposite; ///< the same from across, on slaves in gaps; empty: gaps are not looked for
-  std::vector<T> normal_energy;          ///< J, work taken by the penalty springs, one for each slave
-  std::vector<T> friction_energy;        ///< J, one for each slave
-  Index lost = -1;                       ///< the first slave that got lost behind the surface; -1: none
-
-  T search_margin{};                  ///< m, how far slave and facet may approach before the next search
-  std::vector<Vec3<T>> searched_at;   ///< positions of all nodes at the last search, m
-  std::vector<Vec3<T>> seen_at;       ///< positions of all nodes at the last look at the slaves, m
-  std::vector<T> room;                ///< m, how far each slave and the surface may still approach before they can touch
-  std::vector<Index> active;          ///< slaves that have candidates
-  std::vector<Index> candidate_begin; ///< for each active slave, and the end
-  std::vector<Index> candidates;      ///< facets
-  std::vector<Vec3<T>> facet_middle;  ///< m, of this step
-  std::vector<T> facet_radius;        ///< m, around the middle, of this step
+  T search_margin{};                         ///< m, how far slave and facet may approach before the next search
+  ContactState<T> state;                     ///< changes in each step
+  FacetCandidates<T> candidates;             ///< for the present step
 };
 
 /// Gives the contact these master facets, with the masses that their nodes have now.
 template <class T> void set_facets(NodeToSurface<T> &c, const Nodes<T> &nodes, std::vector<Facet> facets) {
   c.facets = std::move(facets);
-  c.facet_middle.resize(c.facets.size());
-  c.facet_radius.resize(c.facets.size());
+  c.candidates.middle.resize(c.facets.size());
+  c.candidates.radius.resize(c.facets.size());
   std::vector<bool> is_master(nodes.position.size(), false);
   c.masters.clear();
   for (const Facet &f : c.facets)
@@ -113,12 +122,12 @@ NodeToSurface<T> make_contact(const Nodes<T> &nodes, std::vector<Index> slaves, 
     require(nodes.mass[s] > T(0), c.name + " mass of slave node " + std::to_string(s), nodes.mass[s],
             "must be positive (make contacts before ties)");
     require(!is_master[s], c.name + " slave node", s, "must not belong to a facet");
-    c.slave_mass.push_back(nodes.mass[s]);
+    c.state.slave_mass.push_back(nodes.mass[s]);
   }
-  c.forces.resize(slaves.size());
-  c.room.assign(slaves.size(), T(0));
-  c.normal_energy.assign(slaves.size(), T(0));
-  c.friction_energy.assign(slaves.size(), T(0));
+  c.state.forces.resize(slaves.size());
+  c.state.room.assign(slaves.size(), T(0));
+  c.state.normal_energy.assign(slaves.size(), T(0));
+  c.state.friction_energy.assign(slaves.size(), T(0));
   c.slaves = std::move(slaves);
   c.offset = std::move(offset);
   set_facets(c, nodes, std::move(facets));

@@ -34,7 +34,7 @@ template <class T> struct ParticleContact {
   SymmetryPlanes symmetry{};      ///< mirror planes of the model
   NodeRange nodes{};              ///< the particles of all bodies, one body behind the other
   std::vector<std::uint8_t> body; ///< of each particle
-  std::vector<T> volume;          ///< m3, undeformed; 0: let go
+  std::vector<T> volume;          ///< m3, undeformed; 0: deactivated
   std::vector<T> threshold;       ///< fullness at which a particle begins to press
   T smoothing_length{};           ///< m, of W
   T stiffness{};                  ///< Pa, K

@@ -75,7 +75,7 @@ ParticleContact<T> make_particle_contact(const Nodes<T> &nodes, const std::vecto
   return c;
 }
 
-/// Lets go of the particles that have been removed from `body`.
+/// Deactivates the particles that have been removed from `body`.
 template <class T, class Body> void release_removed(ParticleContact<T> &contact, const Body &body) {
   if (body.metal.damage.effect != FailureEffect::removal || body.nodes.begin < contact.nodes.begin ||
       body.nodes.end > contact.nodes.end)

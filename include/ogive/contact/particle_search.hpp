@@ -3,9 +3,9 @@
 
 #include "ogive/contact/particle_contact.hpp"
 #include "ogive/core/parallel.hpp"
-#include "ogive/core/relative_move.hpp"
+#include "ogive/search/box_of_moves.hpp"
+#include "ogive/search/neighbours.hpp"
 #include "ogive/sph/kernel.hpp"
-#include "ogive/sph/neighbours.hpp"
 
 #include <cmath>
 #include <span>
@@ -54,7 +54,7 @@ template <class T> void search(ParticleContact<T> &contact, std::span<const Vec3
   std::vector<Vec3<T>> at(positions.begin(), positions.end());
   std::vector<std::uint8_t> bit;
   for (Index i = 0; i < count; ++i) bit.push_back(std::uint8_t(1U << contact.body[i]));
-  for (const MirrorImage &image : images) at.push_back(mirrored(positions[image.parent], image));
+  for (const MirrorImage &image : images) at.push_back(reflected(positions[image.parent], image.reflection));
   for (const MirrorImage &image : images) bit.push_back(bit[image.parent]);
   const CellGrid<T> grid = sort_into_cells(at, reach);
   const std::vector<std::uint8_t> near = bodies_near_cells(grid, bit);
@@ -76,7 +76,7 @@ template <class T> void search(ParticleContact<T> &contact, std::span<const Vec3
         if (j < count)
           found.push_back({j, {}});
         else
-          found.push_back({images[j - count].parent, {images[j - count].flip_x, images[j - count].flip_y}});
+          found.push_back({images[j - count].parent, images[j - count].reflection});
       }
       contact.row_begin[i + 1] = static_cast<Index>(found.size());
     }

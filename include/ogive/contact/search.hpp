@@ -2,24 +2,13 @@
 #pragma once
 
 #include "ogive/contact/node_to_surface.hpp"
-#include "ogive/sph/cell_grid.hpp"
+#include "ogive/search/box_of_moves.hpp"
+#include "ogive/search/cell_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ogive {
-
-/// An axis-aligned box, m.
-template <class T> struct Box {
-  Vec3<T> low = Vec3<T>::Constant(T(1e30));   ///< least coordinates
-  Vec3<T> high = Vec3<T>::Constant(T(-1e30)); ///< greatest coordinates; a new box is empty
-};
-
-/// Makes the box large enough to hold the point `p` (m).
-template <class T> void extend(Box<T> &box, const Vec3<T> &p) {
-  box.low = box.low.cwiseMin(p);
-  box.high = box.high.cwiseMax(p);
-}
 
 /// Box around a facet, grown by `margin` (m).
 template <class T> Box<T> facet_box(const Facet &facet, const Nodes<T> &nodes, T margin) {
@@ -30,37 +19,25 @@ template <class T> Box<T> facet_box(const Facet &facet, const Nodes<T> &nodes, T
   return box;
 }
 
-/// True if the point `p` (m) lies in the box, faces included.
-template <class T> bool is_inside(const Box<T> &box, const Vec3<T> &p) {
-  return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
-}
-
-/// Box around the ways that the nodes of `list` have gone since they were at the positions `then` (m).
+/// Box around the displacements of the nodes of `list` from the positions `then` (m).
 template <class T>
 Box<T> box_of_moves(const Nodes<T> &nodes, const std::vector<Vec3<T>> &then, const std::vector<Index> &list) {
-  return ordered_fold(
-      static_cast<Index>(list.size()), Box<T>{},
-      [&](Index i) {
-        const Vec3<T> u = nodes.position[list[i]] - then[list[i]];
-        return Box<T>{u, u};
-      },
-      [](const Box<T> &a, const Box<T> &b) {
-        return Box<T>{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
-      });
+  return box_of_moves<T>(static_cast<Index>(list.size()),
+                         [&](Index i) { return Vec3<T>(nodes.position[list[i]] - then[list[i]]); });
 }
 
 /// True if a slave and a facet may have come closer by more than the search margin since the last search.
 template <class T> bool is_search_due(const NodeToSurface<T> &contact, const Nodes<T> &nodes) {
-  if (contact.searched_at.size() != nodes.position.size()) return true;
-  Box<T> moved = box_of_moves(nodes, contact.searched_at, contact.slaves);
-  const Box<T> masters = box_of_moves(nodes, contact.searched_at, contact.masters);
+  if (contact.state.searched_at.size() != nodes.position.size()) return true;
+  Box<T> moved = box_of_moves(nodes, contact.state.searched_at, contact.slaves);
+  const Box<T> masters = box_of_moves(nodes, contact.state.searched_at, contact.masters);
   extend(moved, masters.low), extend(moved, masters.high);
   const T relative = (moved.high - moved.low).norm();
   return std::isfinite(relative) && relative > contact.search_margin;
 }
 
-/// Position of slave `s` among those of all nodes (m); of its mirror image if it was pushed across a mirror plane, where
-/// there are no facets.
+/// Position of slave `s` among those of all nodes (m); of its mirror image if it was pushed across a mirror plane,
+/// where there are no facets.
 template <class T>
 Vec3<T> on_model_side(const NodeToSurface<T> &contact, const std::vector<Vec3<T>> &positions, Index s) {
   const Vec3<T> &p = positions[contact.slaves[s]];
@@ -69,10 +46,10 @@ Vec3<T> on_model_side(const NodeToSurface<T> &contact, const std::vector<Vec3<T>
 
 /// Finds, for each slave, the facets it can touch before the next search.
 template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
-  contact.searched_at = nodes.position;
-  contact.active.clear();
-  contact.candidate_begin.clear();
-  contact.candidates.clear();
+  contact.state.searched_at = nodes.position;
+  contact.candidates.active.clear();
+  contact.candidates.begin.clear();
+  contact.candidates.facets.clear();
 
   T largest_offset{};
   for (T o : contact.offset) largest_offset = std::max(largest_offset, o);
@@ -85,7 +62,7 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
   std::vector<Index> near;
   std::vector<Vec3<T>> near_position;
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
-    if (contact.follows && contact.slave_mass[s] == T(0)) continue;
+    if (contact.follows && contact.state.slave_mass[s] == T(0)) continue;
     if (const Vec3<T> p = on_model_side(contact, nodes.position, s); is_inside(surface, p)) {
       near.push_back(s);
       near_position.push_back(p);
@@ -118,14 +95,14 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
     std::sort(pairs.begin(), pairs.end(),
               [](const Pair &a, const Pair &b) { return a.slave != b.slave ? a.slave < b.slave : a.facet < b.facet; });
     for (const Pair &p : pairs) {
-      if (contact.active.empty() || contact.active.back() != p.slave) {
-        contact.active.push_back(p.slave);
-        contact.candidate_begin.push_back(static_cast<Index>(contact.candidates.size()));
+      if (contact.candidates.active.empty() || contact.candidates.active.back() != p.slave) {
+        contact.candidates.active.push_back(p.slave);
+        contact.candidates.begin.push_back(static_cast<Index>(contact.candidates.facets.size()));
       }
-      contact.candidates.push_back(p.facet);
+      contact.candidates.facets.push_back(p.facet);
     }
   }
-  contact.candidate_begin.push_back(static_cast<Index>(contact.candidates.size()));
+  contact.candidates.begin.push_back(static_cast<Index>(contact.candidates.facets.size()));
 }
 
 } // namespace ogive

@@ -35,10 +35,10 @@ Vec3<T> angle_weighted_normal(const Vec3<T> &a, const Vec3<T> &b, const Vec3<T> 
 template <class T>
 bool is_outside(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p, T distance) {
   const auto for_each_near_triangle = [&](T reach, auto &&f) {
-    for (Index k = contact.candidate_begin[a]; k < contact.candidate_begin[a + 1]; ++k) {
-      const Index facet = contact.candidates[k];
-      const Vec3<T> &middle = contact.facet_middle[facet];
-      if ((p - middle).norm() > reach + contact.facet_radius[facet]) continue;
+    for (Index k = contact.candidates.begin[a]; k < contact.candidates.begin[a + 1]; ++k) {
+      const Index facet = contact.candidates.facets[k];
+      const Vec3<T> &middle = contact.candidates.middle[facet];
+      if ((p - middle).norm() > reach + contact.candidates.radius[facet]) continue;
       for (int c = 0; c < 4; ++c) {
         const Vec3<T> &corner = nodes.position[contact.facets[facet].nodes[c]],
                       &next = nodes.position[contact.facets[facet].nodes[(c + 1) % 4]];
@@ -50,7 +50,8 @@ bool is_outside(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a,
   T nearest = T(1.01) * distance, near{};
   Vec3<T> closest = Vec3<T>::Zero();
   for_each_near_triangle(nearest, [&](Index facet, auto &, auto &, auto &, auto &, const Vec3<T> &x) {
-    if (const T d = (p - x).norm(); d < nearest) nearest = d, closest = x, near = T(1e-6) * contact.facet_radius[facet];
+    if (const T d = (p - x).norm(); d < nearest)
+      nearest = d, closest = x, near = T(1e-6) * contact.candidates.radius[facet];
   });
   Vec3<T> outward = Vec3<T>::Zero();
   for_each_near_triangle(T(1.01) * nearest, [&](Index, const Vec3<T> &corner, const Vec3<T> &next,

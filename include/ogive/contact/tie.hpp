@@ -4,8 +4,8 @@
 #include "ogive/contact/closest_point.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/parallel.hpp"
-#include "ogive/fem/hex_locate.hpp"
-#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/mesh/hex_locate.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 #include <algorithm>
 #include <array>

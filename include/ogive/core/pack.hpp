@@ -16,17 +16,28 @@
 /// \file
 /// Several numbers that are worked on at once. A formula written as a template of its number type serves one particle
 /// with `T` and a cluster of particles with `Pack<T>`.
+///
+/// The width of a pack depends on the compiler's flags. All that depends on it is in an inline namespace that is named
+/// for it, or is a template of SimdWidth, so that a program may link objects that were compiled with different flags.
 
 namespace ogive {
 
-/// Bytes of a SIMD register of the machine that is compiled for.
 #if defined(__AVX512F__)
+inline namespace simd_512 {
+/// Bytes of a SIMD register of the machine that is compiled for.
 inline constexpr int register_bytes = 64;
 #elif defined(__AVX__)
+inline namespace simd_256 {
+/// Bytes of a SIMD register of the machine that is compiled for.
 inline constexpr int register_bytes = 32;
 #else
+inline namespace simd_128 {
+/// Bytes of a SIMD register of the machine that is compiled for.
 inline constexpr int register_bytes = 16;
 #endif
+
+/// Default argument of types whose layout or functions depend on `lanes`: each width has its own.
+struct SimdWidth {};
 
 /// Numbers in a pack.
 template <class T> inline constexpr Index lanes = register_bytes / static_cast<int>(sizeof(T));
@@ -221,6 +232,7 @@ template <class T> Mat3<T> lane_of(const Mat3<Pack<T>> &m, Index lane) {
   return one;
 }
 
+} // namespace simd_...
 } // namespace ogive
 
 /// \cond

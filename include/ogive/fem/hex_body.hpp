@@ -2,16 +2,18 @@
 #pragma once
 
 #include "ogive/core/nodes.hpp"
+#include "ogive/core/pack.hpp"
 #include "ogive/core/parallel.hpp"
 #include "ogive/fem/hex8.hpp"
-#include "ogive/fem/hex_mesh.hpp"
 #include "ogive/fem/hourglass.hpp"
-#include "ogive/fem/mesh_check.hpp"
 #include "ogive/material/metal.hpp"
 #include "ogive/material/points.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
+#include "ogive/mesh/mesh_check.hpp"
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,7 +47,7 @@ struct CornersOfNodes {
 
 /// A body of eight-node hexes. `Rule` is OnePoint or SelectiveReduced. Point p of hex e is material point
 /// e * Rule::points + p. Energies are those of the computed part of the model.
-template <class T, class Law, class Rule = OnePoint> struct HexBody {
+template <class T, class Law, class Rule = OnePoint, class Width = SimdWidth> struct HexBody {
   std::string name;                        ///< for messages and files
   Metal<T, Law> metal;                     ///< the same in all hexes
   HexOptions<T> options{};                 ///< numerical resistance
@@ -67,6 +69,14 @@ template <class T, class Law, class Rule = OnePoint> struct HexBody {
   std::vector<Vec3<T>> corner_force;                      ///< N, entry 8 * hex + corner
   CornersOfNodes corners_of_nodes;                        ///< from which nodes gather their forces; constant
 };
+
+/// Whether a type is a HexBody.
+template <class Body> inline constexpr bool is_hex_body = false;
+template <class T, class Law, class Rule> inline constexpr bool is_hex_body<HexBody<T, Law, Rule>> = true;
+
+/// A body of hexes, constant or not.
+template <class Body>
+concept BodyOfHexes = is_hex_body<std::remove_const_t<Body>>;
 
 /// Calls `f(name, unit, values)` for each field of the state of a body of hexes that is not a material point's.
 template <class Body, class F> void for_each_hex_field(Body &&body, F &&f) {

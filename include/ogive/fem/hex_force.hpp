@@ -9,9 +9,6 @@
 
 namespace ogive {
 
-/// Nothing to prepare: hexes keep their neighbours.
-template <class T, class Law, class Rule> void prepare(HexBody<T, Law, Rule> &, const Nodes<T> &) {}
-
 /// Corner values of a node field for a pack of hexes. The nodes of removed hexes may be anywhere: `of_removed` stands
 /// for their values.
 template <class T, class Law, class Rule>
@@ -59,7 +56,8 @@ template <class T, class Law, class Rule, class F> void for_each_pack(const HexB
   });
 }
 
-/// Velocity gradient at every material point with respect to the latest positions; keeps the gradients for the force.
+/// Velocity gradient at every material point with respect to the latest positions. Reads positions and velocities of
+/// the nodes; writes the points' velocity gradients and, for add_internal_force(), mean gradients and hourglass motion.
 template <class T, class Law, class Rule> void velocity_gradient(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   using P = Pack<T>;
   for_each_pack(body, [&](Index pack) {

@@ -15,14 +15,16 @@ struct LawPoint {
   double temperature{}; ///< K
 };
 
-/// Stress and temperature of a law at `strains` (ascending, from 0 on) for a test that keeps its heat:
-/// dT = heat_per_work sigma(eps, rate, T) d eps, by the classical Runge-Kutta rule with steps of at most 1e-4, which
-/// leaves errors below 1e-4 K. `heat_per_work` (K/Pa) is beta/(rho cp), or 0 for an isothermal test.
+/// Stress and temperature of a law with a metal's `reference` temperatures at `strains` (ascending, from 0 on) for a
+/// test that keeps its heat: dT = heat_per_work sigma(eps, rate, T) d eps, by the classical Runge-Kutta rule with steps
+/// of at most 1e-4, which leaves errors below 1e-4 K. `heat_per_work` (K/Pa) is beta/(rho cp), or 0 for an isothermal
+/// test.
 template <class Law>
-requires FlowLaw<Law, double> std::vector<LawPoint>
-adiabatic_curve(const Law &law, double rate, double start, double heat_per_work, const std::vector<double> &strains) {
+requires HomologousFlowLaw<Law, double, double> std::vector<LawPoint>
+adiabatic_curve(const Law &law, const ReferenceTemperatures<double> &reference, double rate, double start,
+                double heat_per_work, const std::vector<double> &strains) {
   const auto stress = [&](double strain, double temperature) {
-    return flow_stress(law, strain, rate, temperature).value;
+    return flow_stress(law, strain, rate, temperature, reference).value;
   };
   std::vector<LawPoint> points;
   double strain = 0, T = start;

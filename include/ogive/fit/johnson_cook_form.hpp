@@ -34,11 +34,13 @@ struct FlowFrame {
   double reference_rate = 1;          ///< 1/s, of the classical law
   double room = 293;                  ///< Tr, K
   double melting{};                   ///< Tm, K
+  /// The two temperatures.
+  ReferenceTemperatures<double> temperatures() const { return {room, melting}; }
 };
 
 /// The modified law with these parameters.
-inline ModifiedJohnsonCook<double> modified_law(const FlowFrame &f, const Hardening &h, double C, double b) {
-  return {.A = h.A, .B = h.B, .a = h.a, .C = C, .b = b, .room = f.room, .melting = f.melting};
+inline ModifiedJohnsonCook<double> modified_law(const Hardening &h, double C, double b) {
+  return {.A = h.A, .B = h.B, .a = h.a, .C = C, .b = b};
 }
 
 /// The classical law with these parameters; a and b stand for its n and m.
@@ -49,16 +51,16 @@ inline JohnsonCook<double> classical_law(const FlowFrame &f, const Hardening &h,
           .C = C,
           .m = b,
           .reference_rate = f.reference_rate,
-          .room = f.room,
-          .melting = f.melting,
           .rate_factor = f.form == FlowForm::power ? RateFactor::power : RateFactor::logarithmic};
 }
 
 /// Flow stress, Pa.
 inline double flow_stress_value(const FlowFrame &f, const Hardening &h, double C, double b, double plastic_strain,
                                 double rate, double temperature) {
-  return f.form == FlowForm::modified ? flow_stress(modified_law(f, h, C, b), plastic_strain, rate, temperature).value
-                                      : flow_stress(classical_law(f, h, C, b), plastic_strain, rate, temperature).value;
+  const auto of = [&](const auto &law) {
+    return flow_stress(law, plastic_strain, rate, temperature, f.temperatures()).value;
+  };
+  return f.form == FlowForm::modified ? of(modified_law(h, C, b)) : of(classical_law(f, h, C, b));
 }
 
 /// The rate factor alone.

@@ -41,7 +41,7 @@ inline double quasi_static_stress(const Hardening &h, double strain) {
 /// The equation for C of a point of a faster curve.
 inline RateEquation rate_equation(const FlowFrame &f, const Hardening &h, double b, const TestPoint &p,
                                   double quasi_static_rate) {
-  const double softening = thermal_factor(p.temperature, f.room, f.melting, b).value;
+  const double softening = thermal_factor(p.temperature, f.temperatures(), b).value;
   return rate_equation(f, p.stress / (quasi_static_stress(h, p.strain) * softening), p.rate, quasi_static_rate);
 }
 
@@ -56,7 +56,7 @@ inline SofteningPoint softening_point(const FlowFrame &f, const Hardening &h, do
 inline double quasi_static_factor(const FlowFrame &f, double C, double b, const TestPoint &p,
                                   double quasi_static_rate) {
   return relative_rate_factor(f, C, p.rate, quasi_static_rate) *
-         thermal_factor(p.temperature, f.room, f.melting, b).value;
+         thermal_factor(p.temperature, f.temperatures(), b).value;
 }
 
 /// True if C is taken from this point.
@@ -70,7 +70,7 @@ inline bool gives_softening(const TestSeries &s, const TestPoint &p) {
 
 namespace three_steps_detail {
 
-inline std::string text_of(const Interval &i) {
+inline std::string from_to(const Interval &i) {
   return std::isfinite(i.to) ? "between " + shortest(i.from) + " and " + shortest(i.to) : "from " + shortest(i.from);
 }
 
@@ -82,12 +82,12 @@ inline void require_points(const TestSeries &s, const std::vector<TestPoint> &po
   if (!choice.C)
     require(count(gives_rate) > 1, "points for C", count(gives_rate),
             "needs two or more of a curve at room temperature faster than " + shortest(quasi_static_ratio) + " times " +
-                shortest(s.quasi_static_rate) + " 1/s with plastic strains " + text_of(s.settings.rate_window) +
+                shortest(s.quasi_static_rate) + " 1/s with plastic strains " + from_to(s.settings.rate_window) +
                 " (--rate-window-from, --rate-window-to), or a known value, --C");
   if (!choice.b)
     require(count(gives_softening) > 1, "points for b", count(gives_softening),
             "needs two or more of a curve hotter than " + shortest(s.settings.room + room_tolerance) +
-                " K with plastic strains " + text_of(s.settings.thermal_window) +
+                " K with plastic strains " + from_to(s.settings.thermal_window) +
                 " (--thermal-window-from, --thermal-window-to) that is not left out, or a known value, --b");
 }
 

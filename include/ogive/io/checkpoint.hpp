@@ -95,27 +95,32 @@ template <class T> bool are_places(const std::vector<Vec3<T>> &positions) {
                      [](const Vec3<T> &x) { return x.allFinite() && x.cwiseAbs().maxCoeff() < T(1e6); });
 }
 
+/// Calls `need(ok, what)` for what the lists of a body are made from.
+template <class T, class Law, class K, class F, class Need>
+void check_lists(const SphBody<T, Law, K, F> &body, Need &&need) {
+  const T most = T(kernel_support) * reference_smoothing_length(body), support = body.neighbours.support;
+  need(are_places(body.neighbours.built_at), body.name + " positions of the lists");
+  need(body.neighbours.built_at.empty() || (support > T(0.5) * most && support < T(2) * most),
+       body.name + " support of the lists");
+}
+
+/// Nothing: hexes have no lists.
+template <class T, class Law, class Rule, class Need> void check_lists(const HexBody<T, Law, Rule> &, Need &&) {}
+
 /// Refuses values that no run has and that would lead out of arrays or sizes.
-template <class T, class... Bodies> void check_restored(const Model<T, Bodies...> &model, const std::string &file) {
+template <class T, class Bodies> void check_restored(const Model<T, Bodies> &model, const std::string &file) {
   const auto need = [&](bool ok, const std::string &what) {
     if (!ok) refuse_checkpoint(file, "is damaged: " + what + " cannot be");
   };
   need(model.steps >= 0 && model.steps < std::int64_t(1) << 60, "its number of steps");
   need(are_places(model.nodes.position), "its positions");
-  for_each_body(model, [&](const auto &body) {
-    if constexpr (requires { body.neighbours; }) {
-      const T most = T(kernel_support) * reference_smoothing_length(body), support = body.neighbours.support;
-      need(are_places(body.neighbours.built_at), body.name + " positions of the lists");
-      need(body.neighbours.built_at.empty() || (support > T(0.5) * most && support < T(2) * most),
-           body.name + " support of the lists");
-    }
-  });
+  for_each_body(model, [&](const auto &body) { check_lists(body, need); });
   for (const auto &contact : model.contacts) {
     const auto slaves = static_cast<Index>(contact.slaves.size()), facets = static_cast<Index>(contact.facets.size());
-    need(are_places(contact.searched_at), contact.name + " positions of the search");
-    need(are_places(contact.seen_at), contact.name + " positions of the last look");
-    need(contact.lost >= -1 && contact.lost < slaves, contact.name + " lost slave");
-    for (const auto *forces : {&contact.forces, &contact.opposite})
+    need(are_places(contact.state.searched_at), contact.name + " positions of the search");
+    need(are_places(contact.state.checked_at), contact.name + " positions of the last check");
+    need(contact.state.lost >= -1 && contact.state.lost < slaves, contact.name + " lost slave");
+    for (const auto *forces : {&contact.state.forces, &contact.state.opposite})
       need(std::all_of(forces->begin(), forces->end(),
                        [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
            contact.name + " facet");
@@ -131,8 +136,8 @@ template <class T, class... Bodies> void check_restored(const Model<T, Bodies...
 /// Writes the state of the model and of its run, between two steps, to `path`; an old file there is replaced once the
 /// new one is complete. `notes` are bytes of the program's own, for read_checkpoint_notes(). Throws WriteError, and
 /// then the old file stays.
-template <class T, class... Bodies>
-void write_checkpoint(const std::filesystem::path &path, const Model<T, Bodies...> &model, const RunState<T> &run,
+template <class T, class Bodies>
+void write_checkpoint(const std::filesystem::path &path, const Model<T, Bodies> &model, const RunState<T> &run,
                       std::string_view notes = {}) {
   static_assert(sizeof(ContactForce<T>) == 2 * sizeof(Index) + 10 * sizeof(T),
                 "no padding, which would have any value");
@@ -146,8 +151,7 @@ void write_checkpoint(const std::filesystem::path &path, const Model<T, Bodies..
 /// Puts the model, which must be built as it was for the run that wrote the checkpoint, and the run's state where they
 /// were then. Throws SetupError, one line, for the checkpoint of another model or one with impossible values, and then
 /// changes neither.
-template <class T, class... Bodies>
-void restore(const Checkpoint &checkpoint, Model<T, Bodies...> &model, RunState<T> &run) {
+template <class T, class Bodies> void restore(const Checkpoint &checkpoint, Model<T, Bodies> &model, RunState<T> &run) {
   if (checkpoint.scalar_bytes != sizeof(T))
     refuse_checkpoint(checkpoint.file, "has numbers of " + std::to_string(checkpoint.scalar_bytes) +
                                            " bytes, the model of " + std::to_string(sizeof(T)));
@@ -156,7 +160,7 @@ void restore(const Checkpoint &checkpoint, Model<T, Bodies...> &model, RunState<
   reader.fill("the fingerprint", &print, sizeof print);
   if (print != fingerprint(model))
     refuse_checkpoint(checkpoint.file, "is of another model: another case, or made by another version of the program");
-  Model<T, Bodies...> restored = model;
+  Model<T, Bodies> restored = model;
   RunState<T> restored_run;
   for_each_state_field(restored, restored_run, reader);
   if (!reader.rest.empty()) refuse_checkpoint(checkpoint.file, "is damaged: it has bytes left over");

@@ -70,22 +70,12 @@ inline std::string csv_line(std::span<const double> values) {
   return line;
 }
 
-/// Starts a new table at `path`, in place of an old one, with its header. Throws SetupError for a column name that is
-/// empty or holds a comma, a quotation mark or a line end, WriteError if the file cannot be written.
-inline CsvWriter open_csv(const std::filesystem::path &path, std::vector<std::string> columns) {
-  const std::string header = csv_header(path, columns);
-  errno = 0;
-  CsvWriter csv{path, std::move(columns), std::ofstream(path), 0};
-  if (!csv.file) throw write_error(path, errno ? std::generic_category().message(errno) : "cannot be opened");
-  add_line(csv, header);
-  return csv;
-}
-
-/// Goes on with a table whose rows so far are `values`, one row after another: replaces whatever is at `path` by them,
-/// at once, and adds rows after them. Throws SetupError as open_csv() does or if the last row is not whole, WriteError
-/// if the file cannot be written.
+/// Continues a table whose rows so far are `values`, one row after another, or begins one: replaces whatever is at
+/// `path` by header and rows, at once, and adds rows after them. Throws SetupError for a column name that is empty or
+/// holds a comma, a quotation mark or a line end, or if the last row is not whole, WriteError if the file cannot be
+/// written.
 inline CsvWriter continue_csv(const std::filesystem::path &path, std::vector<std::string> columns,
-                              std::span<const double> values) {
+                              std::span<const double> values = {}) {
   std::string text = csv_header(path, columns) + '\n';
   require(values.size() % columns.size() == 0, path.string() + " values so far", values.size(),
           "must be a multiple of the number of columns, " + std::to_string(columns.size()));

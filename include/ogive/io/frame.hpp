@@ -10,6 +10,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -17,6 +18,10 @@
 /// says its unit.
 
 namespace ogive {
+
+// Frames alone, such as pictures are made from, need neither kind of body.
+template <class T, class Law, class Rule, class Width> struct HexBody;
+template <class T, class Law, class Kernel, class Form, class Width> struct SphBody;
 
 /// Values on points or cells, `components` after each other for each. One component is a scalar, three a vector
 /// (x, y, z), six a symmetric tensor (xx, yy, zz, xy, yz, zx).
@@ -128,20 +133,22 @@ template <class F> std::vector<Index> numbers_of(Index begin, Index end, F &&is_
   return numbers;
 }
 
-/// A body of particles as a cloud of points. Removed particles are left out.
-template <class T, class Body> PointCloud gather_cloud(const Nodes<T> &nodes, const Body &body, int part) {
+/// Adds a body of particles to a frame, as a cloud of points. Removed particles are left out.
+template <class T, class Law, class K, class F, class Width>
+void gather_body(Frame &frame, const Nodes<T> &nodes, const SphBody<T, Law, K, F, Width> &body, int part) {
   const auto particles = numbers_of(0, body.points.size(), [&](Index i) { return !is_removed(body, i); });
   std::vector<Index> numbers = particles;
   for (Index &n : numbers) n += body.nodes.begin;
   PointCloud cloud{body.name, part, static_cast<float>(body.spacing), gather_positions(nodes, numbers),
                    gather_state(body.points, particles, 1)};
   cloud.fields.push_back(gather_velocity(nodes, numbers));
-  return cloud;
+  frame.clouds.push_back(std::move(cloud));
 }
 
-/// A body of hexes as a grid. Elements with several material points give their mean. Removed hexes and their corners
-/// are left out.
-template <class T, class Body> HexGrid gather_grid(const Nodes<T> &nodes, const Body &body, int part) {
+/// Adds a body of hexes to a frame, as a grid. Elements with several material points give their mean. Removed hexes and
+/// their corners are left out.
+template <class T, class Law, class Rule, class Width>
+void gather_body(Frame &frame, const Nodes<T> &nodes, const HexBody<T, Law, Rule, Width> &body, int part) {
   const auto count = static_cast<Index>(body.hexes.size());
   const auto hexes = numbers_of(0, count, [&](Index e) { return !is_removed(body, e); });
   const auto numbers = numbers_of(body.nodes.begin, body.nodes.end,
@@ -153,27 +160,22 @@ template <class T, class Body> HexGrid gather_grid(const Nodes<T> &nodes, const 
                gather_positions(nodes, numbers),
                {},
                {gather_velocity(nodes, numbers)},
-               gather_state(body.points, hexes, count > 0 ? body.points.size() / count : 1)};
+               gather_state(body.points, hexes, Index(Rule::points))};
   for (const Index e : hexes) {
     auto &corners = grid.hexes.emplace_back(body.hexes[e]);
     for (Index &corner : corners) corner = place[corner - body.nodes.begin];
   }
-  return grid;
+  frame.grids.push_back(std::move(grid));
 }
 
-/// The bodies of a model as they are now, in the order of the model. A body with hexes becomes a grid, another a cloud.
+/// The bodies of a model now, in the order of the model.
 template <class M> Frame gather_frame(const M &model) {
   Frame frame;
   frame.time = static_cast<double>(model.time);
   frame.symmetry = model.symmetry;
   int part = 0;
   // Found with the model, in sim/model.hpp: pictures of frames alone do not compile contact and ties.
-  for_each_body(model, [&](const auto &body) {
-    if constexpr (requires { body.hexes; })
-      frame.grids.push_back(gather_grid(model.nodes, body, part++));
-    else
-      frame.clouds.push_back(gather_cloud(model.nodes, body, part++));
-  });
+  for_each_body(model, [&](const auto &body) { gather_body(frame, model.nodes, body, part++); });
   return frame;
 }
 

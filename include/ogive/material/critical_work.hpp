@@ -15,8 +15,8 @@ template <class T, class Law> T critical_work_of_tension(const Metal<T, Law> &me
   T work{};
   for (int k = 0; k < intervals; ++k) {
     const T s = (T(k) + T(0.5)) / T(intervals);
-    work += T(2) * s * end / T(intervals) *
-            flow_stress(metal.flow, s * s * end, metal.rate_floor, metal.room_temperature).value;
+    work +=
+        T(2) * s * end / T(intervals) * flow_stress(metal, s * s * end, metal.rate_floor, metal.room_temperature).value;
   }
   return work;
 }

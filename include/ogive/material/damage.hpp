@@ -103,6 +103,13 @@ N johnson_cook_growth(const Damage<T> &damage, const MaterialPoint<N> &point, N 
          (size_effect(damage, stress_state) * failure_strain(damage.failure_strain, stress_state, rate, homologous));
 }
 
+/// johnson_cook_growth() of several points at once; other laws go point by point.
+template <class T>
+Pack<T> damage_growth(const Damage<T> &damage, const MaterialPoint<Pack<T>> &point, Pack<T> increment, Pack<T> rate,
+                      Pack<T> homologous) {
+  return johnson_cook_growth(damage, point, increment, rate, homologous);
+}
+
 /// Growth of the damage while the plastic strain of `point` grows by `increment` (>= 0) to its present state, at `rate`
 /// (1/s) and the homologous temperature T*. Never negative.
 template <class T>

@@ -17,16 +17,31 @@ template <class N> struct FlowStress {
   N by_temperature{};    ///< Pa/K
 };
 
-/// A flow law: the free function `flow_stress(law, plastic_strain, rate_per_s, temperature_K)`, finite for every
-/// plastic strain >= 0, rate > 0 and temperature.
-template <class Law, class T>
-concept FlowLaw = requires(const Law &law, T x) {
-  { flow_stress(law, x, x, x) } -> std::same_as<FlowStress<T>>;
+/// The two temperatures of a metal that the homologous temperature T* = (T - room)/(melting - room) refers to.
+template <class T> struct ReferenceTemperatures {
+  T room{};    ///< Tr, K
+  T melting{}; ///< Tm, K
 };
 
-/// A flow law that also takes packs, so that several points flow at once. Others are asked point by point.
+/// A law of the absolute temperature: the free function `flow_stress(law, plastic_strain, rate_per_s, temperature_K)`.
+template <class Law, class N>
+concept AbsoluteFlowLaw = requires(const Law &law, N x) {
+  { flow_stress(law, x, x, x) } -> std::same_as<FlowStress<N>>;
+};
+
+/// A law of the homologous temperature: flow_stress() takes the metal's ReferenceTemperatures as a fifth argument.
+template <class Law, class T, class N>
+concept HomologousFlowLaw = requires(const Law &law, N x, const ReferenceTemperatures<T> &reference) {
+  { flow_stress(law, x, x, x, reference) } -> std::same_as<FlowStress<N>>;
+};
+
+/// A flow law of either kind, finite for every plastic strain >= 0, rate > 0 and temperature.
 template <class Law, class T>
-concept PackedFlowLaw = FlowLaw<Law, Pack<T>>;
+concept FlowLaw = AbsoluteFlowLaw<Law, T> || HomologousFlowLaw<Law, T, T>;
+
+/// A flow law that also takes packs, so that several points flow at once. Other laws are evaluated point by point.
+template <class Law, class T>
+concept PackedFlowLaw = AbsoluteFlowLaw<Law, Pack<T>> || HomologousFlowLaw<Law, T, Pack<T>>;
 
 /// Hardening A + B eps^n and its slope. At eps = 0 the slope of n < 1 is infinite; a large finite one is given.
 template <class N> struct PowerHardening {
@@ -48,8 +63,10 @@ template <class N> struct ThermalFactor {
 };
 
 /// Thermal softening of the Johnson-Cook family: T* = (T - Tr)/(Tm - Tr); 1 below Tr, 0 above Tm.
-template <class T, class N> ThermalFactor<N> thermal_factor(N temperature, T room, T melting, T b) {
+template <class T, class N>
+ThermalFactor<N> thermal_factor(N temperature, const ReferenceTemperatures<T> &reference, T b) {
   using std::max, std::min, std::pow;
+  const auto [room, melting] = reference;
   const N scaled = (temperature - room) * (T(1) / (melting - room));
   const auto inside = (scaled > N(0)) & (scaled < N(1));
   const N power = pow(max(N(1e-12), min(scaled, N(1))), b);

@@ -10,22 +10,21 @@ namespace ogive {
 /// Modified Johnson-Cook law (Liu et al. 2012, Eq. 2): sigma = [A + B eps^a] rate^C [1 - T*^b], rate in 1/s, without a
 /// reference rate.
 template <class T> struct ModifiedJohnsonCook {
-  T A{};       ///< Pa
-  T B{};       ///< Pa
-  T a{};       ///< hardening exponent
-  T C{};       ///< rate exponent
-  T b{};       ///< thermal exponent
-  T room{};    ///< Tr, K
-  T melting{}; ///< Tm, K
+  T A{}; ///< Pa
+  T B{}; ///< Pa
+  T a{}; ///< hardening exponent
+  T C{}; ///< rate exponent
+  T b{}; ///< thermal exponent
 };
 
 /// Liu et al. 2012, Eq. 2. The rate must be positive (see Metal::rate_floor).
 template <class T, class N>
-FlowStress<N> flow_stress(const ModifiedJohnsonCook<T> &law, N plastic_strain, N rate, N temperature) {
+FlowStress<N> flow_stress(const ModifiedJohnsonCook<T> &law, N plastic_strain, N rate, N temperature,
+                          const ReferenceTemperatures<T> &reference) {
   using std::pow;
   const auto hardening = power_hardening(law.A, law.B, law.a, plastic_strain);
   const N rate_factor = pow(rate, law.C);
-  const auto thermal = thermal_factor(temperature, law.room, law.melting, law.b);
+  const auto thermal = thermal_factor(temperature, reference, law.b);
   const N value = hardening.value * rate_factor * thermal.value;
   return {value, hardening.slope * rate_factor * thermal.value, value * law.C / rate,
           hardening.value * rate_factor * thermal.slope};
@@ -45,17 +44,16 @@ template <class T> struct JohnsonCook {
   T C{};                                            ///< rate coefficient
   T m{};                                            ///< thermal exponent
   T reference_rate{};                               ///< 1/s
-  T room{};                                         ///< Tr, K
-  T melting{};                                      ///< Tm, K
   RateFactor rate_factor = RateFactor::logarithmic; ///< which of the two
 };
 
 /// Johnson & Cook 1983, with either rate factor.
 template <class T, class N>
-FlowStress<N> flow_stress(const JohnsonCook<T> &law, N plastic_strain, N rate, N temperature) {
+FlowStress<N> flow_stress(const JohnsonCook<T> &law, N plastic_strain, N rate, N temperature,
+                          const ReferenceTemperatures<T> &reference) {
   using std::log, std::max, std::pow;
   const auto hardening = power_hardening(law.A, law.B, law.n, plastic_strain);
-  const auto thermal = thermal_factor(temperature, law.room, law.melting, law.m);
+  const auto thermal = thermal_factor(temperature, reference, law.m);
   const N scaled = rate * (T(1) / law.reference_rate);
   N factor, slope;
   if (law.rate_factor == RateFactor::power) {

@@ -36,16 +36,15 @@ template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string so
 
 /// Weldox 460 E, modified Johnson-Cook (Liu et al. 2012, Table 1).
 template <class T> Metal<T, ModifiedJohnsonCook<T>> weldox_460e_mjc() {
-  return weldox_460e<T>(ModifiedJohnsonCook<T>{T(503e6), T(581e6), T(0.481), T(0.01), T(0.94), T(293), T(1800)},
+  return weldox_460e<T>(ModifiedJohnsonCook<T>{T(503e6), T(581e6), T(0.481), T(0.01), T(0.94)},
                         "Liu et al. 2012, Table 1");
 }
 
 /// Weldox 460 E, classical Johnson-Cook with the power rate factor (Boervik, Hopperstad, Berstad & Langseth 2001; as
 /// commonly quoted).
 template <class T> Metal<T, JohnsonCook<T>> weldox_460e_jc() {
-  return weldox_460e<T>(
-      JohnsonCook<T>{T(490e6), T(383e6), T(0.45), T(0.0123), T(0.94), T(5e-4), T(293), T(1800), RateFactor::power},
-      "Boervik, Hopperstad, Berstad & Langseth 2001 (quoted)");
+  return weldox_460e<T>(JohnsonCook<T>{T(490e6), T(383e6), T(0.45), T(0.0123), T(0.94), T(5e-4), RateFactor::power},
+                        "Boervik, Hopperstad, Berstad & Langseth 2001 (quoted)");
 }
 
 /// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2) with a flow law. Damage is off; its
@@ -72,18 +71,16 @@ template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string so
 /// paper gives them as an image only. `strength` scales A and B: 1 for the 15, 20 and 30 mm plates, 0.85 for the weaker
 /// 25 mm plate (an assumption, see docs/assumptions.md).
 template <class T> Metal<T, ModifiedJohnsonCook<T>> aa5083_h116_mjc(T strength = T(1)) {
-  return aa5083_h116<T>(
-      ModifiedJohnsonCook<T>{strength * T(167e6), strength * T(596e6), T(0.551), T(0.0114), T(0.56), T(293), T(893)},
-      std::string("Liu et al. 2012, Table 2 (C, b); Clausen et al. 2004 (A, B, a; quoted)") +
-          (strength == T(1) ? "" : ", A and B weakened by assumption"));
+  return aa5083_h116<T>(ModifiedJohnsonCook<T>{strength * T(167e6), strength * T(596e6), T(0.551), T(0.0114), T(0.56)},
+                        std::string("Liu et al. 2012, Table 2 (C, b); Clausen et al. 2004 (A, B, a; quoted)") +
+                            (strength == T(1) ? "" : ", A and B weakened by assumption"));
 }
 
 /// AA5083-H116, classical Johnson-Cook (Clausen, Boervik, Hopperstad & Benallal 2004, MSEA 364:260; as commonly
 /// quoted).
 template <class T> Metal<T, JohnsonCook<T>> aa5083_h116_jc() {
-  return aa5083_h116<T>(
-      JohnsonCook<T>{T(167e6), T(596e6), T(0.551), T(0.001), T(0.859), T(1), T(293), T(893), RateFactor::power},
-      "Clausen, Boervik, Hopperstad & Benallal 2004 (quoted)");
+  return aa5083_h116<T>(JohnsonCook<T>{T(167e6), T(596e6), T(0.551), T(0.001), T(0.859), T(1), RateFactor::power},
+                        "Clausen, Boervik, Hopperstad & Benallal 2004 (quoted)");
 }
 
 /// Hardened Arne tool steel of the projectiles, bilinear, without failure (Liu et al. 2012, Table 3).

@@ -39,8 +39,8 @@ struct Metal {
   Law flow{};                     ///< flow stress
   T specific_heat{};              ///< J/(kg K); 0: isothermal
   T taylor_quinney = T(0.9);      ///< beta, the fraction of plastic work that heats
-  T room_temperature = T(293);    ///< K, initial
-  T melting_temperature = T(1e4); ///< K
+  T room_temperature = T(293);    ///< Tr, K, also the initial temperature
+  T melting_temperature = T(1e4); ///< Tm, K
   T rate_floor = T(1);            ///< smallest plastic strain rate given to the flow law, 1/s
   Damage<T> damage{};             ///< off unless set
 };
@@ -56,6 +56,17 @@ template <class T, class Law> MaterialPoint<T> initial_point(const Metal<T, Law>
   p.density = m.density;
   p.temperature = m.room_temperature;
   return p;
+}
+
+/// Flow stress of a metal at a plastic strain, its rate (1/s) and a temperature (K): that of its law at the metal's
+/// reference temperatures. `N` is T or a pack of T.
+template <class T, class Law, class N>
+FlowStress<N> flow_stress(const Metal<T, Law> &m, N plastic_strain, N rate, N temperature) {
+  if constexpr (HomologousFlowLaw<Law, T, N>)
+    return flow_stress(m.flow, plastic_strain, rate, temperature,
+                       ReferenceTemperatures<T>{m.room_temperature, m.melting_temperature});
+  else
+    return flow_stress(m.flow, plastic_strain, rate, temperature);
 }
 
 /// T* = (T - Tr)/(Tm - Tr), between 0 and 1. `N` is T or a pack of T.
@@ -80,7 +91,8 @@ template <class T> void check(const Damage<T> &damage, const std::string &metal)
           f.reference_rate, "must be positive and finite");
 }
 
-/// Throws SetupError if a constant is out of range.
+/// Throws SetupError if a constant is out of range, or if the flow stress of the undeformed metal at its smallest rate
+/// and room temperature is not positive and finite.
 template <class T, class Law> void check(const Metal<T, Law> &m) {
   const auto positive = [&](T v, const char *thing) {
     require(std::isfinite(v) && v > T(0), m.name + " " + thing, v, "must be positive and finite");
@@ -96,6 +108,8 @@ template <class T, class Law> void check(const Metal<T, Law> &m) {
   positive(m.rate_floor, "rate floor (1/s)");
   require(m.melting_temperature > m.room_temperature, m.name + " melting temperature (K)", m.melting_temperature,
           "must lie above room temperature");
+  positive(flow_stress(m, T(0), m.rate_floor, m.room_temperature).value,
+           "flow stress (Pa) at zero plastic strain, the rate floor and room temperature");
   check(m.damage, m.name);
 }
 

@@ -36,16 +36,16 @@ template <class T> struct MaterialPoints {
   /// Pa, mean over the neighbours, made anew in each step; empty: damage follows each point's own pressure.
   std::vector<T> neighbour_pressure;
 
-  // Known from an earlier step and no part of the state: the flow stress at the smallest rate (Pa) at this plastic
-  // strain and temperature (K).
-  std::vector<T> yield, yield_strain, yield_temperature; ///< Pa; 1; K
+  /// Pa, flow stress at the smallest rate when the point last did not flow; the strength of bonds is a part of it, and
+  /// a point is elastic below it while strain and temperature are those that it belongs to.
+  std::vector<T> quasi_static_yield;
+  std::vector<T> yield_strain, yield_temperature; ///< that it belongs to: plastic strain; K
 
   /// Number of points.
   Index size() const { return static_cast<Index>(density.size()); }
 };
 
-/// Calls `f(name, unit, values)` for each field of the material state: the one list that output, hashes and restart
-/// files use.
+/// Calls `f(name, unit, values)` for each field of the material state that hashes cover.
 template <class P, class F> void for_each_point_field(P &&points, F &&f) {
   f("deviatoric_stress", "Pa", points.deviator);
   f("pressure", "Pa", points.pressure);
@@ -55,6 +55,15 @@ template <class P, class F> void for_each_point_field(P &&points, F &&f) {
   f("temperature", "K", points.temperature);
   f("damage", "1", points.damage);
   f("internal_energy", "J/kg", points.internal_energy);
+}
+
+/// Calls `f(name, unit, values)` for each other field of the material state: what a point keeps from the step in which
+/// it last did not flow. A restart needs it; the fields of for_each_point_field() at that step give it, and so hashes
+/// leave it out.
+template <class P, class F> void for_each_yield_field(P &&points, F &&f) {
+  f("quasi_static_yield", "Pa", points.quasi_static_yield);
+  f("yield_strain", "1", points.yield_strain);
+  f("yield_temperature", "K", points.yield_temperature);
 }
 
 /// Makes `n` points, each in the state `initial`.
@@ -68,7 +77,7 @@ template <class T> void fill(MaterialPoints<T> &points, Index n, const MaterialP
   points.temperature.assign(n, initial.temperature);
   points.damage.assign(n, initial.damage);
   points.internal_energy.assign(n, initial.internal_energy);
-  points.yield.assign(n, T(0));
+  points.quasi_static_yield.assign(n, T(0));
   points.yield_strain.assign(n, T(-1));
   points.yield_temperature.assign(n, T(-1));
 }

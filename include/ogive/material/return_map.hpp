@@ -28,7 +28,7 @@ PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> 
 
   const N sound = T(1) - metal.damage.softening * min(point.damage, N(1));
   const auto softened = [&](const N &strain, const N &rate, const N &temperature) {
-    FlowStress<N> s = flow_stress(metal.flow, strain, rate, temperature);
+    FlowStress<N> s = flow_stress(metal, strain, rate, temperature);
     s.value *= sound, s.by_plastic_strain *= sound, s.by_rate *= sound, s.by_temperature *= sound;
     return s;
   };

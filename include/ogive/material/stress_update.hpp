@@ -73,12 +73,13 @@ void balance(const Metal<T, Law> &metal, const MaterialPoint<N> &old, MaterialPo
   now.internal_energy = energy + volume_half * now.pressure * volume;
 }
 
-/// The same for a point that may have failed: then it has no tension; once removed, no pressure at all.
+/// Takes shear and tension from a point that has failed; from one that has been removed pressure as well.
 template <class T, class Law>
-void balance(const Metal<T, Law> &metal, const MaterialPoint<T> &old, MaterialPoint<T> &now, const Sym3<T> &D, T dt) {
-  constexpr T infinity = std::numeric_limits<T>::infinity();
-  balance(metal, old, now, D, dt, is_failed(metal.damage, now.damage) ? T(0) : -infinity,
-          is_removed(metal.damage, now.damage) ? T(0) : infinity);
+void lose_stress(const Metal<T, Law> &metal, const MaterialPoint<T> &old, MaterialPoint<T> &now, const Sym3<T> &D,
+                 T dt) {
+  now.deviator = Sym3<T>{};
+  balance(metal, old, now, D, dt, T(0),
+          is_removed(metal.damage, now.damage) ? T(0) : std::numeric_limits<T>::infinity());
 }
 
 /// A point after a step.
@@ -102,35 +103,45 @@ Advanced<N> flowed(const Metal<T, Law> &metal, const MaterialPoint<N> &old, cons
   return {now, select(flows, N(-1), plastic.flow_stress)};
 }
 
+/// Adds the growth of damage in a step `dt` (s) after which the point is `now`. With `neighbour_pressure` (Pa) damage
+/// follows that pressure instead of the point's own. `N` is T or, except for damage by Cockcroft and Latham, a pack.
+template <class T, class Law, class N>
+void grow_damage(const Metal<T, Law> &metal, MaterialPoint<N> &now, T dt, const std::optional<N> &neighbour_pressure) {
+  using std::max;
+  const auto flows = now.plastic_strain_rate > N(0);
+  if (metal.damage.law == DamageLaw::none || !any(flows)) return;
+  MaterialPoint<N> seen = now;
+  seen.pressure = neighbour_pressure.value_or(now.pressure);
+  const N growth = damage_growth(metal.damage, seen, N(now.plastic_strain_rate * dt),
+                                 N(max(now.plastic_strain_rate, N(metal.rate_floor))),
+                                 homologous_temperature(metal, now.temperature));
+  now.damage += select(flows, growth, N(0));
+}
+
+/// The end of a step `dt` (s) for points that have not failed, up to their loss of stress should they fail: radial
+/// return, adiabatic heating, pressure, damage. `N` and `neighbour_pressure` as in grow_damage().
+template <class T, class Law, class N>
+Advanced<N> advanced_sound(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const ElasticTrial<N> &trial, T dt,
+                           const std::optional<N> &neighbour_pressure) {
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  Advanced<N> after = flowed(metal, old, trial, dt);
+  balance(metal, old, after.point, trial.deformation_rate, dt, -infinity, infinity);
+  grow_damage(metal, after.point, dt, neighbour_pressure);
+  return after;
+}
+
 /// Moves one material point through a step `dt` (s) with the velocity gradient `L` (1/s, with respect to the positions
 /// at the end of the step): Jaumann rate, radial return, adiabatic heating, pressure, damage (Liu et al. 2012, Eqs.
 /// 3-4). The point loses its stress in the step in which it fails; what it had stored counts as dissipated. With
 /// `neighbour_pressure` (Pa) damage follows that pressure instead of the point's own.
 template <class T, class Law>
 Advanced<T> advanced(const Metal<T, Law> &metal, const MaterialPoint<T> &old, const Mat3<T> &L, T dt,
-                     std::optional<T> neighbour_pressure = {}) {
+                     const std::optional<T> &neighbour_pressure = {}) {
   if (is_removed(metal.damage, old.damage)) return {old, T(-1)};
   const ElasticTrial<T> trial = elastic_trial(metal, old, L, dt);
-  const Sym3<T> &D = trial.deformation_rate;
-  if (is_failed(metal.damage, old.damage)) {
-    MaterialPoint<T> now = trial.point;
-    now.deviator = Sym3<T>{};
-    balance(metal, old, now, D, dt);
-    return {now, T(-1)};
-  }
-  Advanced<T> after = flowed(metal, old, trial, dt);
-  MaterialPoint<T> &now = after.point;
-  balance(metal, old, now, D, dt);
-  const T increment = now.plastic_strain_rate * dt;
-  if (!(increment > T(0)) || metal.damage.law == DamageLaw::none) return after;
-  MaterialPoint<T> seen = now;
-  seen.pressure = neighbour_pressure.value_or(now.pressure);
-  now.damage += damage_growth(metal.damage, seen, increment, std::max(now.plastic_strain_rate, metal.rate_floor),
-                              homologous_temperature(metal, now.temperature));
-  if (is_failed(metal.damage, now.damage)) {
-    now.deviator = Sym3<T>{};
-    balance(metal, old, now, D, dt);
-  }
+  Advanced<T> after{trial.point, T(-1)};
+  if (!is_failed(metal.damage, old.damage)) after = advanced_sound(metal, old, trial, dt, neighbour_pressure);
+  if (is_failed(metal.damage, after.point.damage)) lose_stress(metal, old, after.point, trial.deformation_rate, dt);
   return after;
 }
 
@@ -148,10 +159,10 @@ template <class T, class F> Mat3<Pack<T>> load_gradients(const MaterialPoints<T>
   return L;
 }
 
-/// Remembers the flow stress at the smallest rate of a point that did not flow.
-template <class T> void remember_yield(MaterialPoints<T> &p, Index i, T yield) {
+/// Keeps the flow stress at the smallest rate, `yield` (Pa), of a point that did not flow.
+template <class T> void keep_yield(MaterialPoints<T> &p, Index i, T yield) {
   if (yield < T(0)) return;
-  p.yield[i] = yield, p.yield_strain[i] = p.plastic_strain[i], p.yield_temperature[i] = p.temperature[i];
+  p.quasi_static_yield[i] = yield, p.yield_strain[i] = p.plastic_strain[i], p.yield_temperature[i] = p.temperature[i];
 }
 
 /// Moves those of the points [begin, end) that stay elastic through a step, several at once, and calls `others(i)` for
@@ -170,7 +181,7 @@ void update_elastic_points(Body &body, Index begin, Index end, T dt, F &&others)
     auto trial = elastic_trial(metal, old, load_gradients(p, index_of), dt);
     balance(metal, old, trial.point, trial.deformation_rate, dt, -infinity, infinity);
     // Written so that a NaN is not taken for elastic.
-    auto elastic = (trial.equivalent_stress <= of(p.yield)) & (old.plastic_strain <= of(p.yield_strain)) &
+    auto elastic = (trial.equivalent_stress <= of(p.quasi_static_yield)) & (old.plastic_strain <= of(p.yield_strain)) &
                    (old.plastic_strain >= of(p.yield_strain)) & (old.temperature <= of(p.yield_temperature)) &
                    (old.temperature >= of(p.yield_temperature));
     if (metal.damage.effect != FailureEffect::none) elastic = elastic & (old.damage < Pack<T>(T(1)));
@@ -182,37 +193,25 @@ void update_elastic_points(Body &body, Index begin, Index end, T dt, F &&others)
   }
 }
 
-/// Moves points that have not failed through a step, flowing or not, several at once: advanced() for all but damage by
-/// Cockcroft and Latham.
+/// advanced() for several points at once that have not failed; not for damage by Cockcroft and Latham.
 template <class Body, class T> void update_points(Body &body, std::span<const Index> points, T dt) {
   auto &p = body.points;
   const auto &metal = body.metal;
-  constexpr T infinity = std::numeric_limits<T>::infinity();
   const Index n = static_cast<Index>(points.size());
   for (Index first = 0; first < n; first += lanes<T>) {
     const auto index_of = [&](Index lane) { return points[std::min(first + lane, n - 1)]; };
+    std::optional<Pack<T>> neighbour_pressure;
+    if (!p.neighbour_pressure.empty())
+      neighbour_pressure = pack_of<T>([&](Index lane) { return p.neighbour_pressure[index_of(lane)]; });
     const MaterialPoint<Pack<T>> old = load_points(p, index_of);
     const auto trial = elastic_trial(metal, old, load_gradients(p, index_of), dt);
-    auto after = flowed(metal, old, trial, dt);
-    balance(metal, old, after.point, trial.deformation_rate, dt, -infinity, infinity);
-    if (metal.damage.law == DamageLaw::johnson_cook) {
-      const Pack<T> rate = after.point.plastic_strain_rate;
-      MaterialPoint<Pack<T>> seen = after.point;
-      if (!p.neighbour_pressure.empty())
-        seen.pressure = pack_of<T>([&](Index lane) { return p.neighbour_pressure[index_of(lane)]; });
-      const Pack<T> growth =
-          johnson_cook_growth<T, Pack<T>>(metal.damage, seen, rate * dt, max(rate, Pack<T>(metal.rate_floor)),
-                                          homologous_temperature(metal, after.point.temperature));
-      after.point.damage += select(rate > Pack<T>(T(0)), growth, Pack<T>(T(0)));
-    }
+    const auto after = advanced_sound(metal, old, trial, dt, neighbour_pressure);
     for (Index lane = 0; lane < std::min(lanes<T>, n - first); ++lane) {
       MaterialPoint<T> now = lane_of(after.point, lane);
-      if (is_failed(metal.damage, now.damage)) {
-        now.deviator = Sym3<T>{};
-        balance(metal, lane_of(old, lane), now, lane_of(trial.deformation_rate, lane), dt);
-      }
+      if (is_failed(metal.damage, now.damage))
+        lose_stress(metal, lane_of(old, lane), now, lane_of(trial.deformation_rate, lane), dt);
       store(p, points[first + lane], now);
-      remember_yield(p, points[first + lane], after.yield[lane]);
+      keep_yield(p, points[first + lane], after.yield[lane]);
     }
   }
 }
@@ -235,7 +234,7 @@ template <class Body, class T> void update_stress(Body &body, T dt) {
       const auto after = advanced(body.metal, load(body.points, i), body.points.velocity_gradient[i], dt,
                                   mean.empty() ? std::nullopt : std::optional<T>(mean[i]));
       store(body.points, i, after.point);
-      remember_yield(body.points, i, after.yield);
+      keep_yield(body.points, i, after.yield);
     });
     if constexpr (PackedFlowLaw<decltype(body.metal.flow), T>)
       update_points(body, std::span<const Index>(several.data(), count), dt);

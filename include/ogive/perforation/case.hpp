@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/projectile.hpp"
+#include "ogive/mesh/projectile.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fem/projectile.hpp"
+#include "ogive/mesh/projectile.hpp"
 #include "ogive/perforation/setup.hpp"
 #include "ogive/sim/energy.hpp"
 

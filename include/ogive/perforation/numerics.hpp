@@ -16,8 +16,8 @@ enum class PlateKind {
 /// Numerical choices of a perforation model; the defaults are the same for all cases.
 template <class T> struct PerforationOptions {
   PlateKind plate = PlateKind::particles; ///< what it is made of
-  SphOptions<T> sph{};                    ///< of the disc
-  HexOptions<T> hex{};                    ///< of rim and projectile
+  SphOptions<T> sph{};                    ///< of the plate's particles
+  HexOptions<T> hex{};                    ///< of the projectile and of hexes around particles
   HexOptions<T> plate_hex{};              ///< of a plate of hexes
   ConversionOptions<T> conversion{};      ///< of its hexes into particles
   T fine_radius_ratio = T(1.6);           ///< radius up to which a plate of hexes is fine, over the projectile's

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ogive/fem/hex_force.hpp"
-#include "ogive/fem/plate_mesh.hpp"
+#include "ogive/mesh/plate_mesh.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/numerics.hpp"
 #include "ogive/perforation/plates.hpp"
@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,20 +51,20 @@ add_plate_of_hexes(Nodes<T> &nodes, const PerforationCase<T> &c, Metal<T, Law> m
   // Failed metal bears pressure only. A failed hex bears nothing, until it is a particle.
   metal.damage.effect = FailureEffect::no_tension;
   Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>> plates;
-  plates.discs.push_back(
+  plates.particles.push_back(
       add_sph_body<Kernel, Form>(nodes, layout, metal, "disc", symmetry_planes(c.extent), options.sph));
   metal.damage = regularised(metal.damage, layout.spacing);
   metal.damage.effect = FailureEffect::removal;
-  plates.rims.push_back(add_hex_body<Rule>(nodes, mesh, metal, "plate", options.plate_hex));
+  plates.hexes.push_back(add_hex_body<Rule>(nodes, mesh, metal, "plate", options.plate_hex));
   return plates;
 }
 
 /// Lets the hexes of a plate turn into particles: its own contact, between what shows of the hexes and the particles,
 /// and the conversion.
 template <class M, class T> void add_conversion(M &model, const PerforationOptions<T> &options) {
-  const auto &particles = std::get<0>(model.bodies).front();
-  const auto &hexes = std::get<1>(model.bodies).front();
   Conversion<T> conversion;
+  const auto &particles = model.bodies.plate_particles[conversion.plate];
+  const auto &hexes = model.bodies.plate_hexes[conversion.plate];
   conversion.options = options.conversion;
   conversion.neighbours = face_neighbours(hexes.hexes, model.nodes, model.symmetry);
   std::vector<Index> slaves(particles.nodes.size());
@@ -74,7 +73,7 @@ template <class M, class T> void add_conversion(M &model, const PerforationOptio
       model.nodes, std::move(slaves), std::vector<T>(particles.nodes.size(), T(0.5) * particles.spacing),
       exposed_facets(hexes.hexes, conversion.neighbours, [](Index) { return false; }), "particles on plate",
       ContactOptions<T>{.stiffness = options.contact_stiffness, .may_bury = true}, model.symmetry);
-  contact.reference_time_step = model.contacts.front().reference_time_step;
+  contact.state.reference_time_step = model.contacts.front().state.reference_time_step;
   conversion.surface = model.contacts.size();
   model.contacts.push_back(std::move(contact));
   begin_conversion(conversion, model);

@@ -3,9 +3,9 @@
 
 #include "ogive/contact/node_to_surface.hpp"
 #include "ogive/contact/particle_force.hpp"
-#include "ogive/fem/facets.hpp"
 #include "ogive/fem/hex_body.hpp"
-#include "ogive/fem/plate_rim.hpp"
+#include "ogive/mesh/facets.hpp"
+#include "ogive/mesh/plate_rim.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/numerics.hpp"
 #include "ogive/sph/layout.hpp"
@@ -60,10 +60,10 @@ RimFacets facets_of_rim(const HexMesh<T> &rim, const RimShape<T> &shape, Symmetr
 }
 
 /// All plates of a target.
-template <class Disc, class Rim> struct Plates {
-  std::vector<Disc> discs;       ///< particles of the struck part, or what hexes turn into
-  std::vector<Rim> rims;         ///< hexes around them, or the whole plate
-  std::vector<RimFacets> facets; ///< of the rims; none of a plate of hexes
+template <class Particles, class Hexes> struct Plates {
+  std::vector<Particles> particles; ///< of the struck part, or what hexes turn into
+  std::vector<Hexes> hexes;         ///< around them, or the whole plate
+  std::vector<RimFacets> facets;    ///< of hexes around particles; none of a plate of hexes
 };
 
 /// Adds plates with a disc of particles and a rim of hexes each; not tied and not held yet.
@@ -75,14 +75,14 @@ add_plates_of_particles(Nodes<T> &nodes, const PerforationCase<T> &c, const std:
   const SymmetryPlanes planes = symmetry_planes(c.extent);
   Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>> plates;
   for (std::size_t k = 0; k < layers.size(); ++k)
-    plates.discs.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k]), metals[k],
-                                                      body_name("disc", k, layers.size()), planes, options.sph));
+    plates.particles.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k]), metals[k],
+                                                          body_name("disc", k, layers.size()), planes, options.sph));
   for (std::size_t k = 0; k < layers.size(); ++k) {
-    const RimShape<T> shape = rim_shape(c, layers[k], options.rim_size_ratio * plates.discs[k].spacing);
+    const RimShape<T> shape = rim_shape(c, layers[k], options.rim_size_ratio * plates.particles[k].spacing);
     HexMesh<T> mesh = rim_mesh(shape, c.extent);
     plates.facets.push_back(facets_of_rim(mesh, shape, planes, nodes.size()));
     for (Vec3<T> &p : mesh.positions) p[2] -= layers[k].front;
-    plates.rims.push_back(add_hex_body<Rule>(nodes, mesh, metals[k], body_name("rim", k, layers.size()), options.hex));
+    plates.hexes.push_back(add_hex_body<Rule>(nodes, mesh, metals[k], body_name("rim", k, layers.size()), options.hex));
   }
   return plates;
 }
@@ -121,7 +121,7 @@ void add_rim_contacts(std::vector<NodeToSurface<T>> &contacts, const Nodes<T> &n
     }
     contacts.push_back(make_contact(nodes, std::move(slaves.nodes), std::move(slaves.offset), facets[k].skin,
                                     "plates on " + rims[k].name, options, first.symmetry));
-    contacts.back().reference_time_step = first.reference_time_step;
+    contacts.back().state.reference_time_step = first.state.reference_time_step;
   }
 }
 

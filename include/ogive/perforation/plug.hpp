@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/contact/closest_point.hpp"
+#include "ogive/core/disjoint_sets.hpp"
 #include "ogive/perforation/setup.hpp"
 
-#include <numeric>
 #include <vector>
 
 namespace ogive {
@@ -24,45 +25,32 @@ template <class T> struct Fragments {
 template <class T, class Body>
 std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T distance) {
   const Index n = body.points.size();
-  std::vector<Index> piece(n);
-  std::iota(piece.begin(), piece.end(), Index(0));
-  const auto root = [&](Index i) {
-    while (piece[i] != i) i = piece[i] = piece[piece[i]];
-    return i;
-  };
   if (body.neighbours.order.empty()) return std::vector<Index>(n, 0);
+  DisjointSets pieces(n);
   const auto failed = [&](Index i) { return is_failed(body.metal.damage, body.points.damage[i]); };
   for_each_neighbour_pair(body.neighbours, [&](Index i, Index j) {
     const Vec3<T> gap = nodes.position[body.nodes.begin + i] - nodes.position[body.nodes.begin + j];
     if (gap.squaredNorm() > distance * distance || failed(i) || failed(j)) return;
-    const Index a = root(i), b = root(j);
-    piece[std::max(a, b)] = std::min(a, b);
+    pieces.join(i, j);
   });
-  for (Index i = 0; i < n; ++i) piece[i] = root(i);
-  return piece;
+  return pieces.roots();
 }
 
 /// Number of the piece that each hex belongs to: the smallest hex index of the piece. Hexes that are there are
 /// connected where they share a node; one that is not is a piece of its own.
 template <class Body> std::vector<Index> pieces_of_hexes(const Body &body) {
   const Index n = static_cast<Index>(body.hexes.size());
-  std::vector<Index> piece(n), hex_at(body.nodes.size(), -1);
-  std::iota(piece.begin(), piece.end(), Index(0));
-  const auto root = [&](Index i) {
-    while (piece[i] != i) i = piece[i] = piece[piece[i]];
-    return i;
-  };
+  DisjointSets pieces(n);
+  std::vector<Index> hex_at(body.nodes.size(), -1);
   for (Index e = 0; e < n; ++e) {
     if (is_removed(body, e)) continue;
     for (const Index node : body.hexes[e]) {
       Index &other = hex_at[node - body.nodes.begin];
       if (other < 0) other = e;
-      const Index a = root(e), b = root(other);
-      piece[std::max(a, b)] = std::min(a, b);
+      pieces.join(e, other);
     }
   }
-  for (Index e = 0; e < n; ++e) piece[e] = root(e);
-  return piece;
+  return pieces.roots();
 }
 
 /// Cell i of the struck part of the plate: particle i, or the hex that has not turned into it yet.
@@ -74,13 +62,13 @@ template <class T> struct PlateCell {
 
 /// The cell of a plate now.
 template <class M> auto plate_cell(const M &model, Index i, std::size_t layer = 0) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   const auto &nodes = model.nodes;
   using T = std::decay_t<decltype(body.spacing)>;
   if (!is_unborn(body, i))
     return PlateCell<T>{nodes.position[body.nodes.begin + i], nodes.velocity[body.nodes.begin + i],
                         body.points.temperature[i]};
-  const auto &hexes = rim(model, layer);
+  const auto &hexes = plate_hexes(model, layer);
   const Index points = hexes.points.size() / static_cast<Index>(hexes.hexes.size());
   PlateCell<T> cell;
   for (const Index n : hexes.hexes[i])
@@ -89,7 +77,7 @@ template <class M> auto plate_cell(const M &model, Index i, std::size_t layer = 
   return cell;
 }
 
-/// What each cell of the plate belongs to: each particle of the disc, or the hex that it has not yet come from.
+/// What each cell of the plate belongs to: each particle, or the hex that it has not yet come from.
 struct Pieces {
   std::vector<Index> of;    ///< the piece of each cell, of connected_pieces() or pieces_of_hexes()
   std::vector<bool> at_rim; ///< by piece: it hangs on the rim
@@ -106,12 +94,13 @@ struct Pieces {
 /// which of them the tie holds on the rim; or pieces of hexes, and which of them reach beyond those that can turn into
 /// particles.
 template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::size_t layer = 0) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   using T = std::decay_t<decltype(body.spacing)>;
   Pieces p;
   const bool of_hexes = !model.conversions.empty();
   const Index n = body.points.size();
-  p.of = of_hexes ? pieces_of_hexes(rim(model, layer)) : connected_pieces(body, model.nodes, T(ratio) * body.spacing);
+  p.of = of_hexes ? pieces_of_hexes(plate_hexes(model, layer))
+                  : connected_pieces(body, model.nodes, T(ratio) * body.spacing);
   p.at_rim.assign(p.of.size(), false), p.failed.assign(n, false);
   for (std::size_t e = n; e < p.of.size(); ++e) p.at_rim[p.of[e]] = true;
   p.of.resize(n);
@@ -120,7 +109,8 @@ template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::s
       if (t.slave >= body.nodes.begin && t.slave < body.nodes.end) p.at_rim[p.of[t.slave - body.nodes.begin]] = true;
   std::vector<T> mass(n, T(0));
   for (Index i = 0; i < n; ++i) {
-    p.failed[i] = of_hexes ? is_removed(rim(model, layer), i) : is_failed(body.metal.damage, body.points.damage[i]);
+    p.failed[i] =
+        of_hexes ? is_removed(plate_hexes(model, layer), i) : is_failed(body.metal.damage, body.points.damage[i]);
     mass[p.of[i]] += body.point_mass[i];
   }
   for (Index i = 0; i < n; ++i)
@@ -131,7 +121,7 @@ template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::s
 /// Plug and debris of a plate: pieces of sound particles that no chain of neighbours nearer than `ratio` particle
 /// distances connects to the rim. In a quarter model a piece is taken with its mirror images.
 template <class M> auto find_fragments_of(const M &model, std::size_t layer, double ratio = 1.5) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   using T = std::decay_t<decltype(body.spacing)>;
   const Pieces pieces = find_pieces(model, ratio, layer);
   Fragments<T> f;
@@ -159,7 +149,7 @@ template <class M> auto find_fragments_of(const M &model, std::size_t layer, dou
 /// Plugs and debris of all plates together: the masses of the plates' plugs are added up.
 template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   auto whole = find_fragments_of(model, 0, ratio);
-  for (std::size_t layer = 1; layer < discs(model).size(); ++layer) {
+  for (std::size_t layer = 1; layer < model.bodies.plate_particles.size(); ++layer) {
     const auto next = find_fragments_of(model, layer, ratio);
     if (const auto mass = whole.plug_mass + next.plug_mass; mass > 0)
       whole.plug_velocity = (whole.plug_mass * whole.plug_velocity + next.plug_mass * next.plug_velocity) / mass;
@@ -173,18 +163,18 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
 }
 
 /// True once a piece of at least 1 g has come off the plate; of several plates, off each one of its share of that by
-/// the masses of the discs.
+/// the masses of the particles.
 template <class M> bool is_plug_loose(const M &model) {
   double all = 0;
-  for (const auto &body : discs(model)) all += double(whole_mass(body.point_mass, model.symmetry));
-  for (std::size_t layer = 0; layer < discs(model).size(); ++layer) {
-    const double share = double(whole_mass(disc(model, layer).point_mass, model.symmetry)) / all;
+  for (const auto &body : model.bodies.plate_particles) all += double(whole_mass(body.point_mass, model.symmetry));
+  for (std::size_t layer = 0; layer < model.bodies.plate_particles.size(); ++layer) {
+    const double share = double(whole_mass(plate_particles(model, layer).point_mass, model.symmetry)) / all;
     if (!(find_fragments_of(model, layer).plug_mass > 1e-3 * share)) return false;
   }
   return true;
 }
 
-/// How far the particle of a disc that is deepest inside the projectile lies behind its surface, m; 0 if none is
+/// How far the particle of a plate that is deepest inside the projectile lies behind its surface, m; 0 if none is
 /// inside. Removed particles may be anywhere.
 template <class M, class Body> auto largest_intrusion_of(const M &model, const Body &body) {
   const auto &contact = model.contacts.front();
@@ -197,30 +187,25 @@ template <class M, class Body> auto largest_intrusion_of(const M &model, const B
     const Vec3<T> &p = nodes.position[body.nodes.begin + i];
     if (is_removed(body, i) || !is_inside(box, p)) return T(0);
     FacetPoint<T> best;
-    best.distance_squared = T(1e30);
-    T alignment{};
+    NearestSoFar<T> nearest;
     for (const Facet &f : contact.facets) {
       std::array<Vec3<T>, 4> corner;
       for (int c = 0; c < 4; ++c) corner[c] = nodes.position[f.nodes[c]];
       if (const T far = (corner[0] - corner[2]).norm() + (corner[1] - corner[3]).norm();
-          (p - corner[0]).norm() - far > std::sqrt(best.distance_squared))
+          !nearest.empty && (p - corner[0]).norm() - far > std::sqrt(nearest.distance_squared))
         continue;
       const FacetPoint<T> point = closest_on_facet(p, corner);
-      const T aligned = std::abs(point.normal.dot(p - point.position));
-      const T tie = T(1e-6) * point.distance_squared;
-      if (point.distance_squared < best.distance_squared - tie ||
-          (point.distance_squared <= best.distance_squared + tie && aligned > alignment))
-        best = point, alignment = aligned;
+      if (nearest.take(point.distance_squared, std::abs(point.normal.dot(p - point.position)))) best = point;
     }
     return best.normal.dot(p - best.position) < T(0) ? std::sqrt(best.distance_squared) : T(0);
   });
 }
 
-/// The same for the particles of all discs.
+/// The same for the particles of all plates.
 template <class M> auto largest_intrusion(const M &model) {
-  auto deepest = largest_intrusion_of(model, disc(model));
-  for (std::size_t layer = 1; layer < discs(model).size(); ++layer)
-    deepest = std::max(deepest, largest_intrusion_of(model, disc(model, layer)));
+  auto deepest = largest_intrusion_of(model, plate_particles(model));
+  for (std::size_t layer = 1; layer < model.bodies.plate_particles.size(); ++layer)
+    deepest = std::max(deepest, largest_intrusion_of(model, plate_particles(model, layer)));
   return deepest;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fem/facets.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/fem/hex_time_step.hpp"
-#include "ogive/fem/projectile.hpp"
 #include "ogive/material/library.hpp"
+#include "ogive/mesh/facets.hpp"
+#include "ogive/mesh/projectile.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/numerics.hpp"
 #include "ogive/perforation/plate_of_hexes.hpp"
@@ -17,27 +17,23 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace ogive {
 
-/// The bodies of a perforation model: for each plate a disc of particles and a rim of hexes; the projectile of hexes. A
-/// plate of hexes is all rim, and particle i of its disc is what hex i turns into.
+/// A model of plates and a projectile.
 template <class T, class Law, class Kernel, class Form, class Rule>
-using PerforationModel = Model<T, std::vector<SphBody<T, Law, Kernel, Form>>, std::vector<HexBody<T, Law, Rule>>,
-                               HexBody<T, Bilinear<T>, Rule>>;
+using PerforationModel =
+    Model<T, PerforationBodies<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>>;
 
-/// The discs of particles of all plates, from front to rear.
-template <class M> auto &discs(M &model) { return std::get<0>(model.bodies); }
-/// The rims of hexes around them.
-template <class M> auto &rims(M &model) { return std::get<1>(model.bodies); }
-/// The particles in the middle of a plate: of the only one, or of the `layer`-th from the front, from 0.
-template <class M> auto &disc(M &model, std::size_t layer = 0) { return discs(model)[layer]; }
-/// The hexes around them.
-template <class M> auto &rim(M &model, std::size_t layer = 0) { return rims(model)[layer]; }
+/// The particles of a plate: of the only one, or of the `layer`-th from the front, from 0.
+template <class M> auto &plate_particles(M &model, std::size_t layer = 0) {
+  return model.bodies.plate_particles[layer];
+}
+/// The hexes of a plate: around its particles, or all of it.
+template <class M> auto &plate_hexes(M &model, std::size_t layer = 0) { return model.bodies.plate_hexes[layer]; }
 /// The projectile.
-template <class M> auto &projectile(M &model) { return std::get<2>(model.bodies); }
+template <class M> auto &projectile(M &model) { return model.bodies.projectile; }
 
 /// Holds the nodes of a range at `radius` (m) from the z axis or beyond in all directions.
 template <class T> void clamp_at_radius(Nodes<T> &nodes, NodeRange range, T radius) {
@@ -169,7 +165,7 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
                                                 .stiffness = options.contact_stiffness,
                                                 .rigid_masters = c.rigid_projectile},
                               planes);
-  contact.reference_time_step = step_of_contact;
+  contact.state.reference_time_step = step_of_contact;
   std::vector<NodeToSurface<T>> contacts{std::move(contact)};
   std::vector<ParticleContact<T>> particle_contacts;
   if (layers > 1) {
@@ -182,7 +178,7 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
     ties.push_back(make_tie(nodes, particles[k].nodes, facets[k].edge, hexes[k].hexes, particles[k].spacing));
 
   PerforationModel<T, Law, Kernel, Form, Rule> model{
-      std::move(nodes), std::tuple{std::move(particles), std::move(hexes), std::move(shot)}, planes};
+      std::move(nodes), {std::move(particles), std::move(hexes), std::move(shot)}, planes};
   model.contacts = std::move(contacts);
   model.particle_contacts = std::move(particle_contacts);
   model.ties = std::move(ties);

@@ -21,18 +21,18 @@ template <class T> struct PlateShape {
   T most_temperature{}; ///< K, of the hottest particle
 };
 
-/// Positions of the particles of a plate's disc, m, to be kept from before the first step.
-template <class M> auto disc_positions(const M &model, std::size_t layer = 0) {
+/// Positions of the particles of a plate, m, to be kept from before the first step.
+template <class M> auto plate_positions(const M &model, std::size_t layer = 0) {
   const auto &x = model.nodes.position;
-  const NodeRange range = disc(model, layer).nodes;
+  const NodeRange range = plate_particles(model, layer).nodes;
   return std::vector(x.begin() + range.begin, x.begin() + range.end);
 }
 
-/// Mean deflection of a plate's disc now at radii of 1.4 to 1.6 times `radius` (m) of the projectile, m, positive in
+/// Mean deflection of a plate now at radii of 1.4 to 1.6 times `radius` (m) of the projectile, m, positive in
 /// the direction of flight. `undeformed` are the positions before, m.
 template <class M, class T>
 T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, std::size_t layer = 0) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   T sum{}, weight{};
   for (Index i = 0; i < body.points.size(); ++i) {
     const Vec3<T> &x0 = undeformed[i];
@@ -48,7 +48,7 @@ T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, s
 template <class M, class T>
 PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, const Layer<T> &plate,
                           std::size_t layer = 0) {
-  const auto &body = disc(model, layer);
+  const auto &body = plate_particles(model, layer);
   const T spacing = body.spacing, rear_face = plate.front + plate.thickness;
   const Pieces pieces = find_pieces(model, 1.5, layer);
   struct Mean {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fem/exposed_facets.hpp"
+#include "ogive/mesh/exposed_facets.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,12 +16,11 @@ template <class T> struct ConversionOptions {
   T least_strain_to_look_at = T(0.2); ///< plastic; hexes with less are not so distorted
 };
 
-/// A body of hexes that turn into particles where they fail: hex i into particle i of a body of particles that are
+/// A plate whose hexes turn into particles where they fail: hex i into particle i of its body of particles, which are
 /// unborn before. See sim/convert.hpp.
 template <class T> struct Conversion {
-  std::size_t particles = 0;      ///< number of that body in the model
-  std::size_t hexes = 1;          ///< number of the body of hexes
-  std::size_t surface = 0;        ///< number of the contact whose facets are what shows of the hexes
+  std::size_t plate = 0;          ///< its number among the plates
+  std::size_t surface = 0;        ///< number of the contact whose facets are the exposed faces of the hexes
   ConversionOptions<T> options{}; ///< when
   FaceNeighbours neighbours;      ///< of the hexes
   T energy{};                     ///< J, kinetic energy of the corners against each other that was lost

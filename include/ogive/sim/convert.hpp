@@ -5,10 +5,12 @@
 #include "ogive/core/parallel.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/fem/hex_time_step.hpp"
+#include "ogive/sim/bodies.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sph/body.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,20 +27,14 @@
 
 namespace ogive {
 
-/// Calls `f(particles, hexes)` with the two bodies of a conversion.
-template <class M, class C, class F> void with_bodies(M &model, const C &conversion, F &&f) {
-  std::size_t p = 0;
-  for_each_body(model, [&](auto &particles) {
-    if (p++ != conversion.particles) return;
-    std::size_t h = 0;
-    for_each_body(model, [&](auto &hexes) {
-      if (h++ != conversion.hexes) return;
-      if constexpr (
-          requires { particles.unborn; } && requires { hexes.hexes; })
-        f(particles, hexes);
-    });
-  });
+/// Calls `f(particles, hexes)` with the two bodies of the plate of a conversion.
+template <class P, class H, class S, class T, class F>
+void with_bodies(PerforationBodies<P, H, S> &bodies, const Conversion<T> &conversion, F &&f) {
+  f(bodies.plate_particles[conversion.plate], bodies.plate_hexes[conversion.plate]);
 }
+
+/// Nothing: only the plates of a perforation convert.
+template <class... Bodies, class T, class F> void with_bodies(std::tuple<Bodies...> &, const Conversion<T> &, F &&) {}
 
 /// True if hex e has turned into a particle.
 template <class Particles> bool is_converted(const Particles &particles, Index e) {
@@ -161,10 +157,10 @@ std::vector<Facet> surface_of(const Conversion<T> &conversion, const Particles &
 }
 
 /// Turns the hexes that have failed, or can go on no more, into particles, and lets the contacts follow.
-template <class T, class... Bodies> void convert(Conversion<T> &conversion, Model<T, Bodies...> &model) {
+template <class T, class Bodies> void convert(Conversion<T> &conversion, Model<T, Bodies> &model) {
   if (model.steps % conversion.options.every != 0) return;
   Nodes<T> &nodes = model.nodes;
-  with_bodies(model, conversion, [&](auto &particles, auto &hexes) {
+  with_bodies(model.bodies, conversion, [&](auto &particles, auto &hexes) {
     enum Verdict : char { stays, failed, distorted };
     std::vector<Verdict> verdicts(particles.points.size(), stays);
     parallel_for(particles.points.size(), [&](Index e) {
@@ -192,16 +188,16 @@ template <class T, class... Bodies> void convert(Conversion<T> &conversion, Mode
 }
 
 /// Gives the contacts of conversions the facets that belong to the state of the hexes, after that has been read.
-template <class T, class... Bodies> void renew_surfaces(Model<T, Bodies...> &model) {
+template <class T, class Bodies> void renew_surfaces(Model<T, Bodies> &model) {
   for (const Conversion<T> &conversion : model.conversions)
-    with_bodies(model, conversion, [&](auto &particles, auto &hexes) {
+    with_bodies(model.bodies, conversion, [&](auto &particles, auto &hexes) {
       set_facets(model.contacts[conversion.surface], model.nodes, surface_of(conversion, particles, hexes));
     });
 }
 
 /// Makes the particles `unborn` and the contacts ready to follow, before the first step: the hexes have all the mass.
-template <class T, class... Bodies> void begin_conversion(const Conversion<T> &conversion, Model<T, Bodies...> &model) {
-  with_bodies(model, conversion, [&](auto &particles, auto &hexes) {
+template <class T, class Bodies> void begin_conversion(const Conversion<T> &conversion, Model<T, Bodies> &model) {
+  with_bodies(model.bodies, conversion, [&](auto &particles, auto &hexes) {
     particles.unborn.assign(particles.points.size(), 1);
     for (Index i = 0; i < particles.points.size(); ++i) {
       T mass{};
@@ -212,8 +208,8 @@ template <class T, class... Bodies> void begin_conversion(const Conversion<T> &c
   });
   for (auto &contact : model.contacts) {
     contact.follows = true;
-    contact.present_offset = contact.offset;
-    contact.opposite.resize(contact.slaves.size());
+    contact.state.present_offset = contact.offset;
+    contact.state.opposite.resize(contact.slaves.size());
     follow_slaves(contact, model.nodes, T(0));
   }
 }

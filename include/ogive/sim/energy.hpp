@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/contact/force.hpp"
+#include "ogive/contact/ledger.hpp"
 #include "ogive/contact/particle_force.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/sim/model.hpp"
@@ -19,22 +19,20 @@ template <class T> struct Energy {
   T viscous{};    ///< artificial and bulk viscosity
   T contact{};    ///< in penalty springs
   T friction{};   ///< heat of Coulomb friction
-  T external{};   ///< taken by supports; they do not move
   T conversion{}; ///< kinetic, of corners of hexes against each other, lost where hexes turned into particles
 };
 
 /// Sum of all parts, J: constant in time.
 template <class T> T total(const Energy<T> &e) {
-  return e.kinetic + e.elastic + e.plastic + e.hourglass + e.viscous + e.contact + e.friction + e.external +
-         e.conversion;
+  return e.kinetic + e.elastic + e.plastic + e.hourglass + e.viscous + e.contact + e.friction + e.conversion;
 }
 
 /// Kinetic energy of nodes at the time of the latest forces, J: m/2 v_before . v_after (exact for central differences).
-template <class T> T kinetic_energy(const Nodes<T> &nodes, NodeRange range, T last_kick) {
+template <class T> T kinetic_energy(const Nodes<T> &nodes, NodeRange range, T dt_mid) {
   return ordered_sum(range.size(), T(0), [&](Index i) {
     const Index n = range.begin + i;
     const Vec3<T> &v = nodes.velocity[n];
-    return T(0.5) * (nodes.mass[n] * v.squaredNorm() - last_kick * v.dot(nodes.force[n]));
+    return T(0.5) * (nodes.mass[n] * v.squaredNorm() - dt_mid * v.dot(nodes.force[n]));
   });
 }
 
@@ -49,9 +47,9 @@ template <class T, class Body> T elastic_energy(const Body &body) {
 }
 
 /// The energy ledger of a model at the time of its latest forces.
-template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> Energy<T> energy(const Model<T, Bodies> &model) {
   Energy<T> e;
-  e.kinetic = kinetic_energy(model.nodes, NodeRange{0, model.nodes.size()}, model.last_kick);
+  e.kinetic = kinetic_energy(model.nodes, NodeRange{0, model.nodes.size()}, model.last_mid_step);
   for_each_body(model, [&](const auto &body) {
     const T elastic = elastic_energy<T>(body);
     e.elastic += elastic;
@@ -66,14 +64,13 @@ template <class T, class... Bodies> Energy<T> energy(const Model<T, Bodies...> &
   for (const auto &contact : model.particle_contacts) e.contact += normal_energy(contact);
   for (const auto &conversion : model.conversions) e.conversion += conversion.energy;
   const T copies = T(model.symmetry.copies());
-  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction, &e.external,
-                  &e.conversion})
+  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction, &e.conversion})
     *part *= copies;
   return e;
 }
 
 /// Momentum of the whole model, kg m/s; components normal to mirror planes cancel.
-template <class T, class... Bodies> Vec3<T> momentum(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> Vec3<T> momentum(const Model<T, Bodies> &model) {
   const Nodes<T> &nodes = model.nodes;
   Vec3<T> p = T(model.symmetry.copies()) * ordered_sum(nodes.size(), Vec3<T>(Vec3<T>::Zero()), [&](Index n) -> Vec3<T> {
                 return nodes.mass[n] * nodes.velocity[n];

@@ -62,30 +62,38 @@ template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, 
   for (const T strain : {T(0), T(0.01), T(0.3)})
     for (const T rate : {m.rate_floor, T(1e3) * m.rate_floor})
       for (const T heat : {T(0), T(0.3)})
-        print.add(
-            flow_stress(m.flow, strain, rate, m.room_temperature + heat * (m.melting_temperature - m.room_temperature))
-                .value);
+        print.add(flow_stress(m, strain, rate, m.room_temperature + heat * (m.melting_temperature - m.room_temperature))
+                      .value);
 }
 
-/// Adds what a body is made of.
-template <class Body> void add_body(Fingerprint &print, const Body &body) {
+/// Adds what every body has.
+template <class Body> void add_name_and_metal(Fingerprint &print, const Body &body) {
   print.add(body.name), print.add(body.nodes), print.add(body.point_mass);
   add_metal(print, body.metal);
-  const auto &o = body.options;
-  if constexpr (requires { body.hexes; }) {
-    print.add(body.hexes), print.add(body.points.size());
-    for (const auto number : {o.hourglass_stiffness, o.hourglass_while_flowing, o.hourglass_viscosity,
-                              o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
-      print.add(number);
-  } else {
-    print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing), print.add(o.damage_pressure),
-        print.add(Body::Form::corrected);
-    for (const auto number :
-         {o.smoothing_ratio, o.linear_viscosity, o.quadratic_viscosity, o.skin_ratio, o.courant, o.largest_strain,
-          o.control.stiffness, o.control.strength, o.control.while_flowing, o.control.reach})
-      print.add(number);
-    for (const double u : {0.3, 0.9, 1.6}) print.add(Body::Kernel::norm * Body::Kernel::shape(u));
-  }
+}
+
+/// Adds what a body of hexes is made of.
+template <class T, class Law, class Rule> void add_body(Fingerprint &print, const HexBody<T, Law, Rule> &body) {
+  add_name_and_metal(print, body);
+  print.add(body.hexes), print.add(body.points.size());
+  const HexOptions<T> &o = body.options;
+  for (const T number : {o.hourglass_stiffness, o.hourglass_while_flowing, o.hourglass_viscosity,
+                         o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
+    print.add(number);
+}
+
+/// Adds what a body of particles is made of.
+template <class T, class Law, class Kernel, class Form>
+void add_body(Fingerprint &print, const SphBody<T, Law, Kernel, Form> &body) {
+  add_name_and_metal(print, body);
+  const SphOptions<T> &o = body.options;
+  print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing), print.add(o.damage_pressure),
+      print.add(Form::corrected);
+  for (const T number :
+       {o.smoothing_ratio, o.linear_viscosity, o.quadratic_viscosity, o.skin_ratio, o.courant, o.largest_strain,
+        o.control.stiffness, o.control.strength, o.control.while_flowing, o.control.reach})
+    print.add(number);
+  for (const double u : {0.3, 0.9, 1.6}) print.add(Kernel::norm * Kernel::shape(u));
 }
 
 /// Adds slaves, masters and options of a contact.
@@ -109,7 +117,7 @@ template <class T> void add_contact(Fingerprint &print, const ParticleContact<T>
 
 /// Hash of all that stays as it is during a run, and of the list of what does not: equal for models that one checkpoint
 /// fits. The state, such as positions and velocities, does not enter.
-template <class T, class... Bodies> std::uint64_t fingerprint(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> std::uint64_t fingerprint(const Model<T, Bodies> &model) {
   Fingerprint print;
   print.add(model.nodes.size()), print.add(model.nodes.held), print.add(model.symmetry);
   for_each_body(model, [&](const auto &body) { add_body(print, body); });
@@ -123,7 +131,7 @@ template <class T, class... Bodies> std::uint64_t fingerprint(const Model<T, Bod
     }
   for (const RigidPart &part : model.rigid_parts) print.add(part.nodes);
   for (const Conversion<T> &c : model.conversions) {
-    print.add(c.particles), print.add(c.hexes), print.add(c.surface), print.add(c.options.every);
+    print.add(c.plate), print.add(c.surface), print.add(c.options.every);
     for (const T number : {c.options.largest_compression, c.options.smallest_step, c.options.least_strain_to_look_at})
       print.add(number);
   }

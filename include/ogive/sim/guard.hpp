@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/contact/search.hpp"
 #include "ogive/fem/hex_force.hpp"
+#include "ogive/search/box.hpp"
 #include "ogive/sim/model.hpp"
+#include "ogive/sph/body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,7 @@ template <class T> std::string in_mm(const Vec3<T> &x) {
 }
 
 /// The fault of a node, with its body and its number there.
-template <class T, class... Bodies>
-Fault node_fault(const Model<T, Bodies...> &model, Index node, const std::string &what) {
+template <class T, class Bodies> Fault node_fault(const Model<T, Bodies> &model, Index node, const std::string &what) {
   Fault fault{what, "nodes", node, double(model.time) * 1e6};
   for_each_body(model, [&](const auto &body) {
     if (node >= body.nodes.begin && node < body.nodes.end) fault.body = body.name, fault.id = node - body.nodes.begin;
@@ -46,7 +46,7 @@ template <class T, class F> Index first_node(const Nodes<T> &nodes, F &&is_bad) 
 }
 
 /// The first node with a velocity or position that is not a finite number, if any.
-template <class T, class... Bodies> std::optional<Fault> find_not_finite(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> std::optional<Fault> find_not_finite(const Model<T, Bodies> &model) {
   const Nodes<T> &nodes = model.nodes;
   const Index n =
       first_node(nodes, [&](Index i) { return !nodes.position[i].allFinite() || !nodes.velocity[i].allFinite(); });
@@ -73,16 +73,27 @@ Fault inverted_fault(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, I
   return {what.str(), body.name, hex, 0};
 }
 
-/// A hex without volume, as a whole or at one of several material points, if any; of bodies whose hexes have at least
-/// `least_points`.
-template <class T, class... Bodies>
-std::optional<Fault> find_inverted(const Model<T, Bodies...> &model, Index least_points = 1) {
+/// A hex of a body without volume, as a whole or at one of several material points, if any, where hexes have at least
+/// `least_points` of them.
+template <class T, class Law, class Rule>
+std::optional<Fault> find_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index least_points) {
+  if (Rule::points < least_points) return std::nullopt;
+  const Index hex = first_inverted(body, nodes);
+  return hex < 0 ? std::nullopt : std::optional(inverted_fault(body, nodes, hex));
+}
+
+/// None: particles cannot invert.
+template <class T, class Law, class K, class F>
+std::optional<Fault> find_inverted(const SphBody<T, Law, K, F> &, const Nodes<T> &, Index) {
+  return std::nullopt;
+}
+
+/// A hex of the model without volume, if any; of bodies whose hexes have at least `least_points` material points.
+template <class T, class Bodies>
+std::optional<Fault> find_inverted(const Model<T, Bodies> &model, Index least_points = 1) {
   std::optional<Fault> fault;
   for_each_body(model, [&](const auto &body) {
-    if constexpr (requires { body.hexes; })
-      if (body.points.size() >= least_points * static_cast<Index>(body.hexes.size()) && !fault)
-        if (const Index hex = first_inverted(body, model.nodes); hex >= 0)
-          fault = inverted_fault(body, model.nodes, hex);
+    if (!fault) fault = find_inverted(body, model.nodes, least_points);
   });
   if (fault) fault->time_us = double(model.time) * 1e6;
   return fault;
@@ -90,10 +101,10 @@ std::optional<Fault> find_inverted(const Model<T, Bodies...> &model, Index least
 
 /// A slave that contact has lost behind its surface, or a particle deep in another body, if any: one through the
 /// projectile or from one plate into the next.
-template <class T, class... Bodies> std::optional<Fault> find_lost(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> std::optional<Fault> find_lost(const Model<T, Bodies> &model) {
   for (const auto &contact : model.contacts) {
-    if (contact.lost < 0) continue;
-    const Index node = contact.slaves[contact.lost];
+    if (contact.state.lost < 0) continue;
+    const Index node = contact.slaves[contact.state.lost];
     std::ostringstream what;
     what << "lies more than " << 1e3 * double(contact.search_margin) << " mm behind the surface of the contact \""
          << contact.name << "\", at " << in_mm(model.nodes.position[node]);
@@ -117,7 +128,7 @@ template <class T> struct Start {
 };
 
 /// Where the model is now.
-template <class T, class... Bodies> Start<T> start_of(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> Start<T> start_of(const Model<T, Bodies> &model) {
   Box<T> box;
   T fastest{};
   for (const Vec3<T> &x : model.nodes.position) extend(box, x);
@@ -127,8 +138,8 @@ template <class T, class... Bodies> Start<T> start_of(const Model<T, Bodies...> 
 
 /// A node out of the domain, if any: farther from the middle than `ratio` times the first width and the way that the
 /// fastest node can have flown.
-template <class T, class... Bodies>
-std::optional<Fault> find_astray(const Model<T, Bodies...> &model, const Start<T> &start, T ratio) {
+template <class T, class Bodies>
+std::optional<Fault> find_astray(const Model<T, Bodies> &model, const Start<T> &start, T ratio) {
   const T reach = ratio * (start.width + start.speed * model.time);
   const Nodes<T> &nodes = model.nodes;
   const Index n =

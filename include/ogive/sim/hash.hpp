@@ -40,7 +40,8 @@ template <class V> std::uint64_t hash_values(std::uint64_t hash, const std::vect
   return hash_bytes(hash, bytes_of(values));
 }
 
-/// Hash of the state of a model: nodes and material points. Equal states have equal hashes, to the last bit.
+/// Hash of the state of a model: nodes and the fields of for_each_point_field(). Equal states have equal hashes, to the
+/// last bit.
 template <class M> std::uint64_t state_hash(const M &model) {
   std::uint64_t hash = hash_start;
   for_each_node_field(model.nodes,

@@ -24,24 +24,25 @@ template <class T> void rigidify(const RigidPart &part, Nodes<T> &nodes) {
   parallel_for(n, [&](Index i) { nodes.force[begin + i] = nodes.mass[begin + i] * acceleration; });
 }
 
-/// Impulse that the supports give over `kick` (s): minus the force on held nodes, in the held directions, N s.
-template <class T> Vec3<T> support_impulse(const Nodes<T> &nodes, T kick) {
+/// Impulse that the supports give over `dt_mid` (s): minus the force on held nodes, in the held directions, N s.
+template <class T> Vec3<T> support_impulse(const Nodes<T> &nodes, T dt_mid) {
   return ordered_sum(nodes.size(), Vec3<T>(Vec3<T>::Zero()), [&](Index n) -> Vec3<T> {
     Vec3<T> reaction = Vec3<T>::Zero();
     for (int d = 0; d < 3; ++d)
-      if (nodes.held[n] & (1 << d)) reaction[d] = -kick * nodes.force[n][d];
+      if (nodes.held[n] & (1 << d)) reaction[d] = -dt_mid * nodes.force[n][d];
     return reaction;
   });
 }
 
-/// Central differences: v += kick f/m with held directions kept at rest, x += dt v. Tied slaves have no mass and stay.
-template <class T> void integrate(Nodes<T> &nodes, T kick, T dt) {
+/// Central differences: v += dt_mid f/m with held directions kept at rest, x += dt v. Tied slaves have no mass and
+/// stay.
+template <class T> void integrate(Nodes<T> &nodes, T dt_mid, T dt) {
   parallel_for(nodes.size(), [&](Index n) {
     if (nodes.mass[n] == T(0)) return;
     Vec3<T> &f = nodes.force[n], &v = nodes.velocity[n];
     for (int d = 0; d < 3; ++d)
       if (nodes.held[n] & (1 << d)) f[d] = v[d] = T(0);
-    v += kick / nodes.mass[n] * f;
+    v += dt_mid / nodes.mass[n] * f;
     nodes.position[n] += dt * v;
   });
 }

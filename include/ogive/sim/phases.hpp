@@ -48,12 +48,4 @@ private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The phase itself for particles; hexes are booked as one.
-template <class Body> constexpr Phase phase_of(const Body &, Phase phase) {
-  if constexpr (requires(const Body &b) { b.hexes; })
-    return Phase::hexes;
-  else
-    return phase;
-}
-
 } // namespace ogive

@@ -58,7 +58,7 @@ struct RunResult {
 };
 
 /// Calls `f(body)` for each body that deforms.
-template <class T, class... Bodies, class F> void for_each_deformable(const Model<T, Bodies...> &model, F &&f) {
+template <class T, class Bodies, class F> void for_each_deformable(const Model<T, Bodies> &model, F &&f) {
   for_each_body(model, [&](const auto &body) {
     for (const RigidPart &part : model.rigid_parts)
       if (part.nodes.begin <= body.nodes.begin && body.nodes.end <= part.nodes.end) return;
@@ -67,34 +67,32 @@ template <class T, class... Bodies, class F> void for_each_deformable(const Mode
 }
 
 /// Largest stable step of all bodies that deform, s.
-template <class T, class... Bodies> T stable_time_step(const Model<T, Bodies...> &model) {
+template <class T, class Bodies> T stable_time_step(const Model<T, Bodies> &model) {
   T dt = std::numeric_limits<T>::max();
   for_each_deformable(model, [&](const auto &body) { dt = std::min(dt, stable_time_step(body, model.nodes)); });
   for (const auto &contact : model.contacts)
-    if (contact.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.reference_time_step);
+    if (contact.state.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.state.reference_time_step);
   return dt;
 }
 
 /// Whether the stable time step must be looked at before the step to come: every now and then, and as often as hexes
 /// are looked at that may go. Those may get thinner faster than others, which do not live to be as thin, and take their
 /// shares in the masses of nodes with them.
-template <class T, class... Bodies> bool is_time_step_due(const Model<T, Bodies...> &model, int every) {
+template <class T, class Bodies> bool is_time_step_due(const Model<T, Bodies> &model, int every) {
   if (model.steps % every == 0) return true;
   return std::any_of(model.conversions.begin(), model.conversions.end(),
                      [&](const Conversion<T> &conversion) { return model.steps % conversion.options.every == 0; });
 }
 
 /// The state of a run that begins with this model.
-template <class T, class... Bodies>
-RunState<T> begin_run(const Model<T, Bodies...> &model, const RunOptions<T> &options) {
+template <class T, class Bodies> RunState<T> begin_run(const Model<T, Bodies> &model, const RunOptions<T> &options) {
   const T dt = stable_time_step(model);
   return {dt, dt, model.time + options.observe_every, total(energy(model)), start_of(model), -1};
 }
 
 /// What a look at all nodes, hexes and contacts finds, if anything.
-template <class T, class... Bodies>
-std::optional<Fault> find_fault(const Model<T, Bodies...> &model, const RunOptions<T> &options,
-                                const RunState<T> &state) {
+template <class T, class Bodies>
+std::optional<Fault> find_fault(const Model<T, Bodies> &model, const RunOptions<T> &options, const RunState<T> &state) {
   if (auto fault = find_not_finite(model)) return fault;
   if (auto fault = find_inverted(model)) return fault;
   if (auto fault = find_lost(model)) return fault;
@@ -102,8 +100,8 @@ std::optional<Fault> find_fault(const Model<T, Bodies...> &model, const RunOptio
 }
 
 /// A collapse of the time step to come, if it has: what it comes from, if that can be seen.
-template <class T, class... Bodies>
-std::optional<Fault> find_small_step(const Model<T, Bodies...> &model, const RunOptions<T> &options,
+template <class T, class Bodies>
+std::optional<Fault> find_small_step(const Model<T, Bodies> &model, const RunOptions<T> &options,
                                      const RunState<T> &state) {
   if (state.time_step >= options.smallest_step_fraction * state.first_step) return std::nullopt;
   if (auto fault = find_inverted(model)) return fault;
@@ -122,8 +120,8 @@ std::optional<Fault> find_small_step(const Model<T, Bodies...> &model, const Run
 }
 
 /// An energy error beyond the limit, if there is one, or the numbers that are not finite or the inverted hex behind it.
-template <class T, class... Bodies>
-std::optional<Fault> find_energy_error(const Model<T, Bodies...> &model, const RunOptions<T> &options,
+template <class T, class Bodies>
+std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunOptions<T> &options,
                                        const RunState<T> &state, const Energy<T> &ledger) {
   const T error = total(ledger) / state.initial_energy - T(1);
   if (!(state.initial_energy > T(0)) || std::abs(error) <= options.largest_energy_error) return std::nullopt;
@@ -140,8 +138,8 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies...> &model, const R
 /// (both const) is asked before every step and before the end; if it returns true the run pauses. A later call with the
 /// same `state` goes on from there as if there had been no pause; a new state begins a run. Prints nothing and throws
 /// nothing of its own.
-template <class T, class... Bodies, class Observer, class Pause>
-RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, RunState<T> &state, Observer &&observer,
+template <class T, class Bodies, class Observer, class Pause>
+RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T> &state, Observer &&observer,
               Pause &&pause) {
   const auto look = [&](const Energy<T> &ledger) {
     state.looked_at = model.steps;
@@ -186,8 +184,8 @@ RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, RunState
 }
 
 /// The same for a run that nothing pauses.
-template <class T, class... Bodies, class Observer>
-RunResult run(Model<T, Bodies...> &model, const RunOptions<T> &options, Observer &&observer) {
+template <class T, class Bodies, class Observer>
+RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, Observer &&observer) {
   RunState<T> state;
   return run(model, options, state, observer, [](const auto &, const auto &) { return false; });
 }

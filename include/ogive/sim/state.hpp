@@ -3,6 +3,7 @@
 
 #include "ogive/contact/particle_search.hpp"
 #include "ogive/contact/search.hpp"
+#include "ogive/fem/hex_body.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/run.hpp"
 #include "ogive/sph/body.hpp"
@@ -23,6 +24,22 @@ template <class Values> struct FullOrEmpty {
 /// The array tells the type.
 template <class Values> FullOrEmpty(Values &, std::size_t) -> FullOrEmpty<Values>;
 
+/// Calls `f(name, value)` for all of the state of a body of hexes that is not a material point's.
+template <BodyOfHexes Body, class F> void for_each_own_field(Body &body, F &&f) {
+  for_each_hex_field(body, [&](const char *name, const char *, auto &values) { f(name, values); });
+}
+
+/// Calls `f(name, value)` for all of the state of a body of particles that is not a material point's.
+template <BodyOfParticles Body, class F> void for_each_own_field(Body &body, F &&f) {
+  f("viscous_energy", body.viscous_energy);
+  f("unborn", body.unborn);
+  f("moments of bonds", body.bonds.moment);
+  f("energy of bonds", body.bonds.energy);
+  f("support of the lists", body.neighbours.support);
+  FullOrEmpty built_at{body.neighbours.built_at, body.point_mass.size()};
+  f("positions of the lists", built_at);
+}
+
 /// Calls `f(name, value)` for all that a run changes and needs to go on to the same bits: the one list that checkpoints
 /// write and read. A value is a number, a vector of fixed length, an array whose length the model gives, or
 /// FullOrEmpty. What a step makes anew is left out, and so are lists that `renew_lists` makes from what is here.
@@ -30,7 +47,7 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
   f("time", model.time);
   f("steps", model.steps);
   f("last step", model.last_step);
-  f("last kick", model.last_kick);
+  f("last middle step", model.last_mid_step);
   f("support impulse", model.support_impulse);
   f("wall times", model.times.seconds);
   for_each_run_field(run, f);
@@ -43,37 +60,24 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     const auto named = [&](const char *name, const char *, auto &values) { field(name, values); };
     field("velocity_gradient", body.points.velocity_gradient);
     for_each_point_field(body.points, named);
-    // Not part of the state, but a point that is known to be elastic goes another way, with other last bits.
-    field("yield", body.points.yield);
-    field("yield_strain", body.points.yield_strain);
-    field("yield_temperature", body.points.yield_temperature);
-    if constexpr (requires { body.hexes; }) {
-      for_each_hex_field(body, named);
-    } else {
-      field("viscous_energy", body.viscous_energy);
-      field("unborn", body.unborn);
-      field("moments of bonds", body.bonds.moment);
-      field("energy of bonds", body.bonds.energy);
-      field("support of the lists", body.neighbours.support);
-      FullOrEmpty built_at{body.neighbours.built_at, body.point_mass.size()};
-      field("positions of the lists", built_at);
-    }
+    for_each_yield_field(body.points, named);
+    for_each_own_field(body, field);
   });
   for (auto &contact : model.contacts) {
     const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
-    field("slave_mass", contact.slave_mass);
-    field("reference_time_step", contact.reference_time_step);
-    field("forces", contact.forces);
-    field("opposite forces", contact.opposite);
-    field("normal_energy", contact.normal_energy);
-    field("friction_energy", contact.friction_energy);
-    field("lost", contact.lost);
-    field("present_offset", contact.present_offset);
-    FullOrEmpty searched_at{contact.searched_at, nodes};
+    field("slave_mass", contact.state.slave_mass);
+    field("reference_time_step", contact.state.reference_time_step);
+    field("forces", contact.state.forces);
+    field("opposite forces", contact.state.opposite);
+    field("normal_energy", contact.state.normal_energy);
+    field("friction_energy", contact.state.friction_energy);
+    field("lost", contact.state.lost);
+    field("present_offset", contact.state.present_offset);
+    FullOrEmpty searched_at{contact.state.searched_at, nodes};
     field("positions of the search", searched_at);
-    FullOrEmpty seen_at{contact.seen_at, nodes};
-    field("positions of the last look", seen_at);
-    field("room", contact.room);
+    FullOrEmpty checked_at{contact.state.checked_at, nodes};
+    field("positions of the last check", checked_at);
+    field("room", contact.state.room);
   }
   for (auto &contact : model.particle_contacts) {
     const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
@@ -89,18 +93,23 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
                               [&](const char *name, auto &value) { f("conversion " + std::string(name), value); });
 }
 
+/// Makes the neighbour lists of a body anew, from the positions that they were made from.
+template <class T, class Law, class K, class F> void renew_lists(SphBody<T, Law, K, F> &body) {
+  if (const std::vector<Vec3<T>> built_at = body.neighbours.built_at; !built_at.empty())
+    build_lists(body, std::span<const Vec3<T>>(built_at), body.neighbours.support);
+}
+
+/// Nothing: hexes have no lists.
+template <class T, class Law, class Rule> void renew_lists(HexBody<T, Law, Rule> &) {}
+
 /// Makes the neighbour lists and the candidates of contacts anew, from the positions that they were made from: the same
 /// lists to the last entry, so that all sums have the same order.
-template <class T, class... Bodies> void renew_lists(Model<T, Bodies...> &model) {
-  for_each_body(model, [](auto &body) {
-    if constexpr (requires { body.neighbours; })
-      if (const std::vector<Vec3<T>> built_at = body.neighbours.built_at; !built_at.empty())
-        build_lists(body, std::span<const Vec3<T>>(built_at), body.neighbours.support);
-  });
+template <class T, class Bodies> void renew_lists(Model<T, Bodies> &model) {
+  for_each_body(model, [](auto &body) { renew_lists(body); });
   for (auto &contact : model.contacts) {
-    if (contact.searched_at.empty()) continue;
+    if (contact.state.searched_at.empty()) continue;
     Nodes<T> then;
-    then.position = contact.searched_at;
+    then.position = contact.state.searched_at;
     search(contact, then);
   }
   for (auto &contact : model.particle_contacts)

@@ -15,36 +15,68 @@
 
 namespace ogive {
 
-/// One explicit time step of `dt` (s), central differences: the whole method.
-template <class M, class T> void step(M &model, T dt) {
-  Nodes<T> &nodes = model.nodes;
-  const T before = model.last_step, kick = T(0.5) * (before + dt);
-  Lap lap(model.times);
-  clear_forces(nodes), lap(Phase::motion);
-  for_each_body(model, [&](auto &body) {
-    prepare(body, nodes), lap(phase_of(body, Phase::neighbours));
-    velocity_gradient(body, nodes), lap(phase_of(body, Phase::gradient));
-    update_stress(body, before), lap(phase_of(body, Phase::stress));
-    add_internal_force(body, nodes, before), lap(phase_of(body, Phase::force));
-  });
+/// Moves the stress of a body of particles through the interval `dt_old` (s) that ended at the present positions, and
+/// adds its internal forces to the nodes.
+template <class T, class Law, class K, class F>
+void update_body(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt_old, Lap &lap) {
+  prepare(body, nodes);
+  lap(Phase::neighbours);
+  velocity_gradient(body);
+  lap(Phase::gradient);
+  update_stress(body, dt_old);
+  lap(Phase::stress);
+  add_internal_force(body, nodes, dt_old);
+  lap(Phase::force);
+}
+
+/// update_body() for a body of hexes.
+template <class T, class Law, class Rule>
+void update_body(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt_old, Lap &lap) {
+  velocity_gradient(body, nodes);
+  update_stress(body, dt_old);
+  add_internal_force(body, nodes, dt_old);
+  lap(Phase::hexes);
+}
+
+/// Adds the forces of all contacts, which no longer push removed material.
+template <class M, class T> void add_contact_forces(M &model, T dt_old, T dt) {
   for (auto &contact : model.contacts) {
     for_each_body(model, [&](const auto &body) { release_removed(contact, body); });
-    add_contact_force(contact, nodes, before, dt), lap(Phase::contact);
+    add_contact_force(contact, model.nodes, dt_old, dt);
   }
   for (auto &contact : model.particle_contacts) {
     for_each_body(model, [&](const auto &body) { release_removed(contact, body); });
-    add_contact_force(contact, nodes, before), lap(Phase::contact);
+    add_contact_force(contact, model.nodes, dt_old);
   }
+}
+
+/// One explicit time step of `dt` (s), central differences: the whole method. With t(n) the time on entry,
+///
+///     on entry   positions x(n),   velocities v(n-1/2), stresses s(n-1)   dt_old = t(n) - t(n-1)
+///     on exit    positions x(n+1), velocities v(n+1/2), stresses s(n)     dt     = t(n+1) - t(n)
+///
+/// and forces f(n), which change the velocities over dt_mid = t(n+1/2) - t(n-1/2).
+template <class M, class T> void step(M &model, T dt) {
+  Nodes<T> &nodes = model.nodes;
+  const T dt_old = model.last_step, dt_mid = T(0.5) * (dt_old + dt);
+  Lap lap(model.times);
+  clear_forces(nodes);
+  lap(Phase::motion);
+  for_each_body(model, [&](auto &body) { update_body(body, nodes, dt_old, lap); });
+  add_contact_forces(model, dt_old, dt);
+  lap(Phase::contact);
   for (const auto &tie : model.ties) hand_over_forces(tie, nodes);
   for (const auto &part : model.rigid_parts) rigidify(part, nodes);
-  model.support_impulse += support_impulse(nodes, kick);
-  integrate(nodes, kick, dt);
+  model.support_impulse += support_impulse(nodes, dt_mid);
+  integrate(nodes, dt_mid, dt);
   for (const auto &tie : model.ties) move_slaves(tie, nodes);
   model.time += dt;
   model.last_step = dt;
-  model.last_kick = kick;
-  ++model.steps, lap(Phase::motion);
-  for (auto &conversion : model.conversions) convert(conversion, model), lap(Phase::hexes);
+  model.last_mid_step = dt_mid;
+  ++model.steps;
+  lap(Phase::motion);
+  for (auto &conversion : model.conversions) convert(conversion, model);
+  lap(Phase::hexes);
 }
 
 } // namespace ogive

@@ -4,15 +4,35 @@
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
 #include "ogive/material/metal.hpp"
+#include "ogive/search/neighbours.hpp"
 #include "ogive/sph/bonds.hpp"
 #include "ogive/sph/kernel.hpp"
-#include "ogive/sph/neighbours.hpp"
 #include "ogive/sph/pair_data.hpp"
 
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+/// \file
+/// A body of particles. It has two numberings:
+///
+///     particle i   0 ... n-1, never changes; node nodes.begin + i, material point i, end of a bond
+///     place k      order in memory of what neighbours read, made anew with the lists:
+///
+///                  | cluster 0     | cluster 1     | ...  | mirror images            |
+///                  | lanes<T> places each, near ones together | order.size() + g      |
+///                    order[k] is the particle at place k      images[g] has its place
+///
+/// The way of the data through a step; by particle on the left, by place on the right:
+///
+///     nodes: x, v; points: density, ...   -- prepare() -->              pair_data: x, v, volume, ...; lists
+///     points: velocity_gradient           <-- velocity_gradient() --    pair_data, lists
+///                                                                       writes pair_data.correction, lists.within
+///     points: stress, ...                 -- update_stress(), each particle alone
+///     points: stress                      -- add_internal_force() -->   pair_data.flux
+///     nodes: force                        <-- add_internal_force() --   pair_data, lists.within
 
 namespace ogive {
 
@@ -47,7 +67,8 @@ template <class T> struct SphOptions {
 };
 
 /// A body of SPH particles: node `nodes.begin + i` is particle i and its own material point i.
-template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = RenormalisedForm> struct SphBody {
+template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = RenormalisedForm, class Width = SimdWidth>
+struct SphBody {
   /// Number type.
   using Scalar = T;
   /// Smoothing kernel.
@@ -68,6 +89,14 @@ template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = Renorma
   PairData<T> pair_data;            ///< what neighbours see, made anew in each step
   Bonds<T> bonds;                   ///< against zero-energy modes; none unless the options ask for them
 };
+
+/// Whether a type is an SphBody.
+template <class Body> inline constexpr bool is_sph_body = false;
+template <class T, class Law, class K, class F> inline constexpr bool is_sph_body<SphBody<T, Law, K, F>> = true;
+
+/// A body of particles, constant or not.
+template <class Body>
+concept BodyOfParticles = is_sph_body<std::remove_const_t<Body>>;
 
 /// Particles that fill a shape: positions in m, and the volume of each in m3.
 template <class T> struct ParticleLayout {

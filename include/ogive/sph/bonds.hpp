@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/sph/neighbours.hpp"
+#include "ogive/search/neighbours.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Bond {
 /// Bonds of particles, in groups of as many particles as a pack holds: group g has the particles from g * lanes on and
 /// the rows begin[g] <= row < begin[g + 1]; each row has one bond of each. A particle with fewer bonds than others of
 /// its group is bonded to itself in the rest, which does nothing.
-template <class T> struct Bonds {
+template <class T, class Width = SimdWidth> struct Bonds {
   std::vector<std::int64_t> begin; ///< of each group, and the end; empty without bonds
   std::vector<Bond> ends;          ///< at row * lanes + lane
   std::vector<T> moment;           ///< Pa m; of each row the x, then the y, then the z of all lanes
@@ -48,10 +48,10 @@ template <class T> Bonds<T> make_bonds(std::span<const Vec3<T>> positions, Symme
     const Index i = n.order[k];
     for (const Index place : row(n, k / lanes<T>)) {
       const bool image = place >= places;
-      const MirrorImage mirror = image ? n.images[place - places] : MirrorImage{n.order[place]};
+      const MirrorImage mirror = image ? n.images[place - places] : MirrorImage{n.order[place], place, {}};
       if ((image || mirror.parent != i) &&
-          (mirrored(positions[mirror.parent], mirror) - positions[i]).squaredNorm() < reach * reach)
-        of[i].push_back({mirror.parent, {mirror.flip_x, mirror.flip_y}});
+          (reflected(positions[mirror.parent], mirror.reflection) - positions[i]).squaredNorm() < reach * reach)
+        of[i].push_back({mirror.parent, mirror.reflection});
     }
   }
   Bonds<T> bonds;

@@ -31,7 +31,7 @@ template <class T, class Law, class K, class F> void prepare_bonds(SphBody<T, La
   parallel_for(p.size(), [&](Index i) {
     bonds.volume[i] = kernel_volume(body, i);
     bonds.growth[i] = p.plastic_strain_rate[i] > T(0) ? control.while_flowing * growth : growth;
-    bonds.strength[i] = is_failed(body.metal.damage, p.damage[i]) ? T(0) : control.strength * p.yield[i];
+    bonds.strength[i] = is_failed(body.metal.damage, p.damage[i]) ? T(0) : control.strength * p.quasi_static_yield[i];
   });
 }
 

@@ -79,13 +79,15 @@ template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, La
     store_pack(&d.density[first], density);
   });
   for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
-    const std::array<T, 3> sign{image.flip_x ? T(-1) : T(1), image.flip_y ? T(-1) : T(1), T(1)};
+    const std::array<T, 3> sign{image.reflection.x ? T(-1) : T(1), image.reflection.y ? T(-1) : T(1), T(1)};
     for (int r = 0; r < 9; ++r) d.flux[r][k] = sign[r / 3] * sign[r % 3] * d.flux[r][image.place];
     d.density[k] = d.density[image.place];
   });
 }
 
 /// Adds the internal forces of the particles to their nodes, and the work of viscosity over `dt` (s) to its ledger.
+/// Call it after velocity_gradient() and update_stress(). Reads the points' stress and density, the pair data and the
+/// entries within the support; writes the fluxes and densities of the pair data.
 template <class T, class Law, class K, class F>
 void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
   gather_fluxes(body);

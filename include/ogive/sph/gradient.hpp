@@ -58,7 +58,9 @@ template <class T, class Law, class K, class F> bool sees_neighbours(const SphBo
   return !body.points.neighbour_pressure.empty();
 }
 
-/// Brings neighbour lists and pair data up to date with the nodes.
+/// Brings neighbour lists and pair data up to date. Reads positions and velocities of the nodes and density, damage
+/// and, where damage follows that of the neighbours, pressure of the points. Writes the lists if they are stale, and
+/// the pair data except corrections and fluxes.
 template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, F> &body, const Nodes<T> &nodes) {
   const Index n = body.points.size();
   const std::span<const Vec3<T>> x(nodes.position.data() + body.nodes.begin, n),
@@ -79,7 +81,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
   });
   for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
     const Index i = image.place;
-    const T sx = image.flip_x ? T(-1) : T(1), sy = image.flip_y ? T(-1) : T(1);
+    const T sx = image.reflection.x ? T(-1) : T(1), sy = image.reflection.y ? T(-1) : T(1);
     d.x[k] = sx * d.x[i], d.y[k] = sy * d.y[i], d.z[k] = d.z[i];
     d.vx[k] = sx * d.vx[i], d.vy[k] = sy * d.vy[i], d.vz[k] = d.vz[i];
     d.volume[k] = d.volume[i], d.density[k] = d.density[i], d.smoothing[k] = d.smoothing[i];
@@ -157,9 +159,11 @@ template <class N> Mat3<N> correction_matrix(const Mat3<N> &moment) {
   return B;
 }
 
-/// Velocity gradient at every particle: L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] B_i; B = I in the standard form. On
-/// the way the mean pressure of the neighbours, where damage follows it.
-template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T, Law, K, F> &body, const Nodes<T> &) {
+/// Velocity gradient at every particle: L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] B_i; B = I in the standard form.
+/// Reads the neighbour lists and pair data that prepare() has brought up to date. Writes the points' velocity gradients
+/// and, where damage follows it, mean pressure of the neighbours; for add_internal_force() the corrections B and the
+/// bits of the entries within the support.
+template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T, Law, K, F> &body) {
   const T h = reference_smoothing_length(body);
   const auto drive = [&](auto variable, auto with_pressure) {
     for_each_cluster(body.neighbours, [&](Index c) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ogive/core/error.hpp"
-#include "ogive/fem/hex8.hpp"
+#include "ogive/mesh/hex_geometry.hpp"
 
 #include <limits>
 

@@ -25,13 +25,6 @@ inline std::string_view name(Nose nose) {
   return names[static_cast<std::size_t>(nose)];
 }
 
-/// The nose of a name; throws SetupError for any other.
-inline Nose nose_named(std::string_view text) {
-  for (Nose nose : all_noses)
-    if (name(nose) == text) return nose;
-  throw SetupError("nose = " + std::string(text) + ": must be blunt, conical, ogival or hemispherical");
-}
-
 /// A round projectile: a cylindrical shank and a nose in front of it. SI units.
 template <class T> struct ProjectileShape {
   Nose nose = Nose::blunt; ///< shape of the front

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 #include <array>
 #include <vector>

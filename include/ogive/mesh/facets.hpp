@@ -2,12 +2,12 @@
 #pragma once
 
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <compare>
 #include <vector>
 
 namespace ogive {
@@ -16,26 +16,37 @@ namespace ogive {
 inline constexpr std::array<std::array<int, 4>, 6> hex_faces = {
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
-/// The faces that belong to one hex only, in the order of the hexes; their nodes are indices into the mesh.
-template <class T> std::vector<Facet> boundary_facets(const HexMesh<T> &mesh) {
-  struct Face {
-    std::array<Index, 4> sorted;
-    std::size_t place;
-  };
-  std::vector<Face> faces;
-  faces.reserve(6 * mesh.hexes.size());
-  const auto nodes_of = [&](std::size_t place) {
-    std::array<Index, 4> nodes;
-    for (std::size_t k = 0; k < 4; ++k) nodes[k] = mesh.hexes[place / 6][hex_faces[place % 6][k]];
-    return nodes;
-  };
-  for (std::size_t place = 0; place < 6 * mesh.hexes.size(); ++place) {
-    auto sorted = nodes_of(place);
+/// The nodes of face `face` of a hex.
+inline std::array<Index, 4> face_nodes(const std::array<Index, 8> &hex, std::size_t face) {
+  std::array<Index, 4> nodes;
+  for (std::size_t k = 0; k < 4; ++k) nodes[k] = hex[hex_faces[face][k]];
+  return nodes;
+}
+
+/// A face of a hex among those of all hexes.
+struct SortedFace {
+  std::array<Index, 4> sorted; ///< its nodes, ascending: equal for the two hexes that share it
+  std::size_t place;           ///< 6 * hex + face
+  /// By nodes, then by place.
+  auto operator<=>(const SortedFace &) const = default;
+};
+
+/// All faces of the hexes, sorted so that shared ones follow each other.
+inline std::vector<SortedFace> sorted_faces(const std::vector<std::array<Index, 8>> &hexes) {
+  std::vector<SortedFace> faces;
+  faces.reserve(6 * hexes.size());
+  for (std::size_t place = 0; place < 6 * hexes.size(); ++place) {
+    auto sorted = face_nodes(hexes[place / 6], place % 6);
     std::sort(sorted.begin(), sorted.end());
     faces.push_back({sorted, place});
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face &a, const Face &b) { return std::pair(a.sorted, a.place) < std::pair(b.sorted, b.place); });
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// The faces that belong to one hex only, in the order of the hexes; their nodes are indices into the mesh.
+template <class T> std::vector<Facet> boundary_facets(const HexMesh<T> &mesh) {
+  const std::vector<SortedFace> faces = sorted_faces(mesh.hexes);
   std::vector<std::size_t> single;
   for (std::size_t i = 0, next; i < faces.size(); i = next) {
     for (next = i + 1; next < faces.size() && faces[next].sorted == faces[i].sorted;) ++next;
@@ -44,15 +55,9 @@ template <class T> std::vector<Facet> boundary_facets(const HexMesh<T> &mesh) {
   std::sort(single.begin(), single.end());
   std::vector<Facet> facets;
   facets.reserve(single.size());
-  for (std::size_t place : single) facets.push_back({nodes_of(place), static_cast<Index>(place / 6)});
+  for (std::size_t place : single)
+    facets.push_back({face_nodes(mesh.hexes[place / 6], place % 6), static_cast<Index>(place / 6)});
   return facets;
-}
-
-/// Area times outward normal, m2.
-template <class T> Vec3<T> area_vector(const Facet &facet, const std::vector<Vec3<T>> &positions) {
-  const Vec3<T> a = positions[facet.nodes[2]] - positions[facet.nodes[0]];
-  const Vec3<T> b = positions[facet.nodes[3]] - positions[facet.nodes[1]];
-  return T(0.5) * cross<T>(a, b);
 }
 
 /// The facets whose four nodes all satisfy `keep(position)`.

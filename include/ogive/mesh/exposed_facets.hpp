@@ -3,11 +3,11 @@
 
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/fem/facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 /// \file
@@ -24,29 +24,16 @@ inline constexpr Index no_neighbour = -1;
 /// Behind a face in a mirror plane: its own image, so that it never shows.
 inline constexpr Index mirror_neighbour = -2;
 
-/// The nodes of face `face` of a hex.
-inline std::array<Index, 4> face_nodes(const std::array<Index, 8> &hex, std::size_t face) {
-  std::array<Index, 4> nodes;
-  for (std::size_t k = 0; k < 4; ++k) nodes[k] = hex[hex_faces[face][k]];
-  return nodes;
-}
-
 /// Which hexes share faces. Faces whose nodes a mirror plane holds have their image behind them.
 template <class T>
 FaceNeighbours face_neighbours(const std::vector<std::array<Index, 8>> &hexes, const Nodes<T> &nodes,
                                SymmetryPlanes planes) {
-  std::vector<std::pair<std::array<Index, 4>, std::size_t>> faces;
-  faces.reserve(6 * hexes.size());
-  for (std::size_t place = 0; place < 6 * hexes.size(); ++place) {
-    auto sorted = face_nodes(hexes[place / 6], place % 6);
-    std::sort(sorted.begin(), sorted.end());
-    faces.emplace_back(sorted, place);
-  }
-  std::sort(faces.begin(), faces.end());
+  const std::vector<SortedFace> faces = sorted_faces(hexes);
   FaceNeighbours neighbours(hexes.size());
   for (auto &of_hex : neighbours) of_hex.fill(no_neighbour);
   for (std::size_t i = 0; i + 1 < faces.size(); ++i)
-    if (const auto &[a, b] = std::pair(faces[i].second, faces[i + 1].second); faces[i].first == faces[i + 1].first) {
+    if (faces[i].sorted == faces[i + 1].sorted) {
+      const std::size_t a = faces[i].place, b = faces[i + 1].place;
       neighbours[a / 6][a % 6] = static_cast<Index>(b / 6);
       neighbours[b / 6][b % 6] = static_cast<Index>(a / 6);
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fem/facets.hpp"
-#include "ogive/fem/grading.hpp"
-#include "ogive/fem/mesh_check.hpp"
-#include "ogive/fem/mirror.hpp"
-#include "ogive/fem/o_grid.hpp"
-#include "ogive/fem/projectile_shape.hpp"
+#include "ogive/mesh/facets.hpp"
+#include "ogive/mesh/grading.hpp"
+#include "ogive/mesh/mesh_check.hpp"
+#include "ogive/mesh/mirror.hpp"
+#include "ogive/mesh/o_grid.hpp"
+#include "ogive/mesh/projectile_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

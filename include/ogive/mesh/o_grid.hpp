@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 #include <array>
 #include <vector>

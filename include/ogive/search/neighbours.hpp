@@ -3,9 +3,9 @@
 
 #include "ogive/core/pack.hpp"
 #include "ogive/core/parallel.hpp"
-#include "ogive/core/relative_move.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/sph/cell_grid.hpp"
+#include "ogive/search/box_of_moves.hpp"
+#include "ogive/search/cell_grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,18 +19,17 @@
 
 namespace ogive {
 
-/// Mirror image of a particle: `flip_x` mirrors at x = 0, `flip_y` at y = 0.
+/// Mirror image of a particle.
 struct MirrorImage {
-  Index parent = 0;    ///< particle
-  Index place = 0;     ///< of the parent
-  bool flip_x = false; ///< mirrored at x = 0
-  bool flip_y = false; ///< mirrored at y = 0
+  Index parent = 0;        ///< particle
+  Index place = 0;         ///< of the parent
+  Reflection reflection{}; ///< that makes the image
 };
 
 /// Neighbour lists of clusters: `lanes<T>` particles that lie close together share one list, so that a loop works on
 /// all of them at once with one neighbour after the other. Particles have places along a curve that keeps near ones
 /// together; cluster c has the places from c * lanes<T>. Mirror images have the places behind all clusters.
-template <class T> struct Neighbours {
+template <class T, class Width = SimdWidth> struct Neighbours {
   std::vector<Index> order;                ///< particle of each place; the last cluster is filled up with its last one
   Index listed = 0;                        ///< number of particles in the lists
   std::vector<MirrorImage> images;         ///< image g has the place order.size() + g
@@ -120,11 +119,6 @@ template <class T, class F> void for_each_neighbour_pair(const Neighbours<T> &n,
         if (place < places && n.order[k] < n.order[place]) f(n.order[k], n.order[place]);
 }
 
-/// Position of a mirror image, m.
-template <class T> Vec3<T> mirrored(const Vec3<T> &x, const MirrorImage &image) {
-  return reflected(x, {image.flip_x, image.flip_y});
-}
-
 /// The particles sorted into columns along z of the width `width` (m) or wider, and by z within: near ones stand close
 /// together.
 template <class T> std::vector<Index> column_order(std::span<const Vec3<T>> positions, T width) {
@@ -151,7 +145,7 @@ template <class T> std::vector<Index> column_order(std::span<const Vec3<T>> posi
 }
 
 /// Points that may be near a cluster, in a multiple of a pack.
-template <class T> struct Candidates {
+template <class T, class Width = SimdWidth> struct Candidates {
   std::vector<Index> place; ///< of each point
   std::vector<T> x, y, z;   ///< m
 };
@@ -222,14 +216,14 @@ std::vector<MirrorImage> mirror_images(std::span<const Vec3<T>> positions, Symme
   Vec3<T> behind = Vec3<T>::Zero();
   for (const Vec3<T> &x : positions) behind = behind.cwiseMax(-x);
   std::vector<MirrorImage> images;
-  const auto add = [&](bool flip_x, bool flip_y) {
+  const auto add = [&](Reflection in) {
     for (std::size_t i = 0; i < positions.size(); ++i)
-      if ((!flip_x || positions[i][0] < reach + behind[0]) && (!flip_y || positions[i][1] < reach + behind[1]))
-        images.push_back({static_cast<Index>(i), 0, flip_x, flip_y});
+      if ((!in.x || positions[i][0] < reach + behind[0]) && (!in.y || positions[i][1] < reach + behind[1]))
+        images.push_back({static_cast<Index>(i), 0, in});
   };
-  if (planes.x) add(true, false);
-  if (planes.y) add(false, true);
-  if (planes.x && planes.y) add(true, true);
+  if (planes.x) add({1, 0});
+  if (planes.y) add({0, 1});
+  if (planes.x && planes.y) add({1, 1});
   return images;
 }
 
@@ -250,7 +244,7 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   std::vector<Vec3<T>> at_place(n.order.size() + n.images.size());
   for (Index k = 0; k < count; ++k) at_place[k] = positions[n.order[k]];
   for (std::size_t g = 0; g < n.images.size(); ++g)
-    at_place[count + g] = mirrored(positions[n.images[g].parent], n.images[g]);
+    at_place[count + g] = reflected(positions[n.images[g].parent], n.images[g].reflection);
   CellGrid<T> grid = sort_into_cells(at_place, n.reach / T(2));
   while (n.order.size() % lanes<T>) n.order.push_back(n.order.back());
   const Index fill = static_cast<Index>(n.order.size()) - count;

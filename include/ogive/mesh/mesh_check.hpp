@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ogive/core/error.hpp"
-#include "ogive/fem/hex8.hpp"
-#include "ogive/fem/hex_mesh.hpp"
+#include "ogive/mesh/hex_geometry.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 #include <algorithm>
 #include <string>

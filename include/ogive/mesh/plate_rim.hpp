@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ogive/core/error.hpp"
-#include "ogive/fem/facets.hpp"
-#include "ogive/fem/grading.hpp"
-#include "ogive/fem/mesh_check.hpp"
-#include "ogive/fem/mirror.hpp"
+#include "ogive/mesh/facets.hpp"
+#include "ogive/mesh/grading.hpp"
+#include "ogive/mesh/mesh_check.hpp"
+#include "ogive/mesh/mirror.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/contact/touch.hpp"
+
+#include <algorithm>
+
+/// \file
+/// What a slave that touches the surface feels, and its reaction.
+
+namespace ogive {
+
+/// Velocity of the slave relative to the facet's point as the slave sees it, m/s. `touch` is a Touch or ContactForce.
+template <class T, class Touching>
+Vec3<T> relative_velocity(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index slave, const Touching &touch) {
+  Vec3<T> v = Vec3<T>::Zero();
+  for (int c = 0; c < 4; ++c) v += touch.weights[c] * nodes.velocity[contact.facets[touch.facet].nodes[c]];
+  return nodes.velocity[contact.slaves[slave]] - reflected(v, touch.reflection);
+}
+
+/// Penalty force k depth with k = stiffness m/dt^2, and Coulomb friction, at most sticking m |v_t|/dt.
+template <class T>
+ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &options, const Vec3<T> &velocity, T mass,
+                              T time_step) {
+  ContactForce<T> c{.facet = touch.facet, .reflection = touch.reflection, .weights = touch.weights};
+  const T pressing = options.stiffness * mass / (time_step * time_step) * touch.depth;
+  c.normal = pressing * touch.direction;
+  const Vec3<T> sliding = velocity - velocity.dot(touch.direction) * touch.direction;
+  const T speed = sliding.norm();
+  if (options.friction > T(0) && speed > T(0))
+    c.friction = -std::min(options.friction * pressing / speed, options.sticking * mass / time_step) * sliding;
+  return c;
+}
+
+/// Mass that the penalty stiffness of slave `s` is made with, kg: the smaller of its own and the facet's at the point
+/// of contact, so that light facet nodes stay stable.
+template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
+  if (contact.master_mass.empty()) return contact.state.slave_mass[s];
+  T facet_mass{};
+  for (int c = 0; c < 4; ++c) facet_mass += touch.weights[c] * contact.master_mass[touch.facet][c];
+  return std::min(contact.state.slave_mass[s], facet_mass);
+}
+
+/// Adds the reaction to a force on a slave, times `sign`, to the forces of the facet's nodes.
+template <class T>
+void add_reaction(const NodeToSurface<T> &contact, Nodes<T> &nodes, const ContactForce<T> &c, T sign) {
+  if (c.facet < 0) return;
+  const Vec3<T> reaction = reflected<T>(sign * (c.normal + c.friction), c.reflection);
+  for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
+}
+
+/// Takes a force on slave `s` and its reaction out of the forces of the nodes.
+template <class T> void take_back(const NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, const ContactForce<T> &c) {
+  if (c.facet < 0) return;
+  nodes.force[contact.slaves[s]] -= c.normal + c.friction;
+  add_reaction(contact, nodes, c, T(-1));
+}
+
+} // namespace ogive

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/contact/closest_point.hpp"
+#include "ogive/contact/node_to_surface.hpp"
+#include "ogive/contact/search.hpp"
+#include "ogive/contact/side.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+/// \file
+/// Where and how deep a slave touches the surface: the narrow phase of contact.
+
+namespace ogive {
+
+/// Where and how deep a slave touches the surface.
+template <class T> struct Touch {
+  Index facet = -1;                    ///< -1: no contact
+  std::array<T, 4> weights{};          ///< of the facet's nodes at the closest point
+  Vec3<T> direction = Vec3<T>::Zero(); ///< unit vector out of the surface, as the slave sees it
+  T depth{};                           ///< m, positive where the slave's sphere enters the surface
+  bool lost = false;                   ///< no contact, because the slave is deeper inside than it may be
+  Reflection reflection{};             ///< in which the slave sees the facet
+  T room{};                            ///< m, without contact: how far both may approach before there can be one
+};
+
+/// The facet nearest to a slave, and its point there.
+template <class T> struct NearestFacet {
+  Index facet = -1;      ///< -1: none is near
+  FacetPoint<T> point{}; ///< closest to the slave
+  bool outside = true;   ///< the slave lies outside the surface
+
+  /// Distance of the slave from the surface, m; negative inside.
+  T gap() const { return (outside ? T(1) : T(-1)) * std::sqrt(point.distance_squared); }
+};
+
+/// True if a facet with the closest point `point` to `p` (m) faces it from the other side, seen from the facet with the
+/// unit vector `out` that touches it.
+template <class T> bool lies_across(const Vec3<T> &out, const FacetPoint<T> &point, const Vec3<T> &p) {
+  const Vec3<T> gap = p - point.position;
+  return point.normal.dot(gap) > T(0) && out.dot(gap) <= T(-0.3) * std::sqrt(point.distance_squared);
+}
+
+/// Closest point of the candidate facets to `p` (m), where slave `a` of the active list is, if nearer than `limit` (m).
+/// With `across`, a unit vector out of a facet that touches `p`, only facets on the other side of `p` count that face
+/// it.
+template <class T>
+NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p, T limit,
+                             const std::optional<Vec3<T>> &across = {}) {
+  FacetPoint<T> best;
+  NearestSoFar<T> nearest;
+  Index facet = -1;
+  for (Index k = contact.candidates.begin[a]; k < contact.candidates.begin[a + 1]; ++k) {
+    const Index f = contact.candidates.facets[k];
+    if ((p - contact.candidates.middle[f]).norm() > limit + contact.candidates.radius[f]) continue;
+    std::array<Vec3<T>, 4> corner;
+    for (int c = 0; c < 4; ++c) corner[c] = nodes.position[contact.facets[f].nodes[c]];
+    const FacetPoint<T> point = closest_on_facet(p, corner);
+    if (across && !lies_across<T>(*across, point, p)) continue;
+    if (nearest.take(point.distance_squared, std::abs(point.normal.dot(p - point.position)))) {
+      best = point;
+      facet = f;
+      limit = std::min(limit, std::sqrt(point.distance_squared) * T(1.001));
+    }
+  }
+  if (facet < 0) return {};
+  // On a convex surface, where few slaves are inside, one that seems outside by the nearest facet is outside.
+  const bool seems_outside = best.normal.dot(p - best.position) >= T(0);
+  const bool outside = across || (seems_outside && !contact.follows)
+                           ? seems_outside
+                           : is_outside(contact, nodes, a, p, std::sqrt(best.distance_squared));
+  return {facet, best, outside};
+}
+
+/// The offset of slave `s` at present, m.
+template <class T> T offset_now(const NodeToSurface<T> &contact, Index s) {
+  return contact.state.present_offset.empty() ? contact.offset[s] : contact.state.present_offset[s];
+}
+
+/// How deep inside the surface slave `s` may be, m. One that began inside is lost if it gets deeper than there by as
+/// much as the others may.
+template <class T> T deepest_place(const NodeToSurface<T> &contact, Index s) {
+  return contact.search_margin - std::min(offset_now(contact, s), T(0));
+}
+
+/// How slave `a` of the active list touches the surface at `nearest`. At an edge or corner the direction is that from
+/// the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
+template <class T>
+Touch<T> touch_at(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const NearestFacet<T> &nearest) {
+  const Index slave = contact.candidates.active[a];
+  const Vec3<T> p = on_model_side(contact, nodes.position, slave);
+  const T offset = offset_now(contact, slave), deepest = deepest_place(contact, slave);
+  const Index facet = nearest.facet;
+  const FacetPoint<T> &best = nearest.point;
+  if (facet < 0) return {.room = deepest};
+  const Vec3<T> gap = p - best.position;
+  const T distance = std::sqrt(best.distance_squared);
+  const bool outside = nearest.outside;
+  const T depth = outside ? offset - distance : offset + distance;
+  if (depth <= T(0)) return {.room = outside ? -depth : T(0)};
+  if (!outside && distance > deepest) return {.lost = true};
+  Vec3<T> direction = best.normal;
+  if (distance > T(1e-3) * contact.candidates.radius[facet]) direction = (outside ? T(1) : T(-1)) / distance * gap;
+  const T near = T(1e-6) * contact.candidates.radius[facet];
+  if (contact.symmetry.x && std::abs(p[0]) < near) direction[0] = T(0);
+  if (contact.symmetry.y && std::abs(p[1]) < near) direction[1] = T(0);
+  const T length = direction.norm();
+  if (length < T(0.1)) return {};
+  const Reflection reflection = to_model_side(nodes.position[contact.slaves[slave]], contact.symmetry);
+  return {facet, best.weights, reflected<T>(direction / length, reflection), depth, false, reflection};
+}
+
+/// How slave `a` of the active list touches the surface. `across` as in find_nearest().
+template <class T>
+Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a,
+                    const std::optional<Vec3<T>> &across = {}) {
+  const Index s = contact.candidates.active[a];
+  const Vec3<T> p = on_model_side(contact, nodes.position, s);
+  return touch_at(contact, nodes, a,
+                  find_nearest(contact, nodes, a, p, contact.offset[s] + deepest_place(contact, s), across));
+}
+
+/// find_touch() for a slave whose offset is less than its own: the offset grows, no faster than the slave leaves the
+/// surface, so that one that began inside is not thrown out.
+template <class T> Touch<T> find_growing_touch(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
+  const Index s = contact.candidates.active[a];
+  const T full = contact.offset[s], reach = full + contact.search_margin;
+  const Vec3<T> p = on_model_side(contact, nodes.position, s);
+  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, reach);
+  T &present = contact.state.present_offset[s];
+  present = std::max(present, nearest.facet < 0 ? full : std::min(full, nearest.gap()));
+  const bool is_near = nearest.facet >= 0 && nearest.point.distance_squared <= reach * reach;
+  if (is_near || full + deepest_place(contact, s) <= reach) return touch_at(contact, nodes, a, nearest);
+  return find_touch(contact, nodes, a);
+}
+
+/// Takes the way that each slave and the surface may have come closer since the last check from its room.
+template <class T> void use_up_room(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
+  const Box<T> surface = box_of_moves(nodes, contact.state.checked_at, contact.masters);
+  parallel_for(static_cast<Index>(contact.candidates.active.size()), [&](Index a) {
+    const Index s = contact.candidates.active[a];
+    if (!(contact.state.room[s] > T(0))) return;
+    const Vec3<T> u = on_model_side(contact, nodes.position, s) - on_model_side(contact, contact.state.checked_at, s);
+    contact.state.room[s] -= (u - surface.low).cwiseAbs().cwiseMax((u - surface.high).cwiseAbs()).norm();
+  });
+}
+
+/// The room of slave `s` after a check, m: until it is used up, there is no need to look for what it touches. None for
+/// one that touches, or whose offset grows.
+template <class T> T room_after(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
+  if (offset_now(contact, s) < contact.offset[s]) return T(0);
+  return T(0.99) * touch.room; // the closest point is known to 1e-6 of its distance
+}
+
+} // namespace ogive
