@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/choice.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/pack.hpp"
 #include "ogive/core/parallel.hpp"
@@ -29,6 +30,9 @@ struct SelectiveReduced {
   static constexpr int points = 8; ///< in a hex
 };
 
+/// A rule that is chosen when the program runs.
+using AnyRule = std::variant<OnePoint, SelectiveReduced>;
+
 /// Numerical resistance of hexes.
 template <class T> struct HexOptions {
   T hourglass_stiffness = T(0.1);      ///< fraction of the element's own stiffness, see hourglass.hpp
@@ -45,11 +49,12 @@ struct CornersOfNodes {
   std::vector<Index> corners; ///< grouped by node
 };
 
-/// A body of eight-node hexes. `Rule` is OnePoint or SelectiveReduced. Point p of hex e is material point
-/// e * Rule::points + p. Energies are those of the computed part of the model.
+/// A body of eight-node hexes. `Rule` is OnePoint, SelectiveReduced or AnyRule. Point p of hex e is material point
+/// e * points_of_hex() + p. Energies are those of the computed part of the model.
 template <class T, class Law, class Rule = OnePoint, class Width = SimdWidth> struct HexBody {
   std::string name;                        ///< for messages and files
   Metal<T, Law> metal;                     ///< the same in all hexes
+  Rule rule{};                             ///< of integration
   HexOptions<T> options{};                 ///< numerical resistance
   NodeRange nodes{};                       ///< of the body
   std::vector<std::array<Index, 8>> hexes; ///< corners, indices into Nodes
@@ -97,6 +102,11 @@ template <class T> Corners<T> gather_corners(const std::vector<Vec3<T>> &field, 
   return values;
 }
 
+/// Number of material points in each hex.
+template <class T, class Law, class Rule> Index points_of_hex(const HexBody<T, Law, Rule> &body) {
+  return with_choice(body.rule, [](auto rule) -> Index { return rule.points; });
+}
+
 /// Number of packs that hold all hexes of a body; the last one may repeat the last hex.
 template <class T, class Law, class Rule> Index packs(const HexBody<T, Law, Rule> &body) {
   return (static_cast<Index>(body.hexes.size()) + lanes<T> - 1) / lanes<T>;
@@ -126,7 +136,7 @@ inline CornersOfNodes corners_of_nodes(const std::vector<std::array<Index, 8>> &
 /// range or a hex is inverted.
 template <class Rule = OnePoint, class T, class Law>
 HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, const Metal<T, Law> &metal,
-                                   std::string name, const HexOptions<T> &options = {}) {
+                                   std::string name, const HexOptions<T> &options = {}, Rule rule = {}) {
   check(metal);
   check_mesh(mesh, name);
   const auto not_negative = [&](T value, const char *thing) {
@@ -141,14 +151,15 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
   HexBody<T, Law, Rule> body;
   body.name = std::move(name);
   body.metal = metal;
+  body.rule = rule;
   body.options = options;
   body.nodes = add_nodes(nodes, mesh.positions);
   body.hexes = mesh.hexes;
   for (auto &hex : body.hexes)
     for (Index &n : hex) n += body.nodes.begin;
 
-  const Index count = static_cast<Index>(body.hexes.size());
-  fill(body.points, count * Rule::points, initial_point(metal));
+  const Index count = static_cast<Index>(body.hexes.size()), points = points_of_hex(body);
+  fill(body.points, count * points, initial_point(metal));
   body.point_mass.resize(body.points.size());
   body.hourglass_energy.assign(count, T(0));
   body.viscous_pressure.assign(count, T(0));
@@ -157,7 +168,7 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
   body.mean_gradient.resize(packs(body));
   body.corner_force.assign(8 * count, Vec3<T>::Zero());
   body.corners_of_nodes = corners_of_nodes(body.hexes, body.nodes);
-  if constexpr (Rule::points == 1) {
+  if (points == 1) {
     body.hourglass_force.assign(count, HourglassModes<T>::Zero());
     body.hourglass_motion.resize(packs(body));
   }
@@ -170,9 +181,9 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
       body.corner_mass[e][a] = share[a];
       nodes.mass[body.hexes[e][a]] += share[a];
     }
-    for (int p = 0; p < Rule::points; ++p) {
-      const T volume = Rule::points == 1 ? hex_volume : point_gradient<T>(x, p).volume;
-      body.point_mass[e * Rule::points + p] = metal.density * volume;
+    for (int p = 0; p < points; ++p) {
+      const T volume = points == 1 ? hex_volume : point_gradient<T>(x, p).volume;
+      body.point_mass[e * points + p] = metal.density * volume;
     }
   }
   return body;
@@ -180,8 +191,9 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
 
 /// True if all material points of hex e have failed: it has no shear stiffness left.
 template <class T, class Law, class Rule> bool is_failed(const HexBody<T, Law, Rule> &body, Index e) {
-  for (int p = 0; p < Rule::points; ++p)
-    if (!is_failed(body.metal.damage, body.points.damage[e * Rule::points + p])) return false;
+  const Index points = points_of_hex(body);
+  for (Index i = e * points; i < (e + 1) * points; ++i)
+    if (!is_failed(body.metal.damage, body.points.damage[i])) return false;
   return true;
 }
 
@@ -243,9 +255,11 @@ template <class Rule, class T> PointVolume<T> smallest_point(const Corners<T> &x
 template <class T, class Law, class Rule>
 Index first_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   const Index count = static_cast<Index>(body.hexes.size());
-  const Index first = parallel_min(count, count, [&](Index e) {
-    if (is_removed(body, e)) return count;
-    return smallest_point<Rule>(gather_corners(nodes.position, body.hexes[e])).volume > T(0) ? count : e;
+  const Index first = with_choice(body.rule, [&]<class Chosen>(Chosen) {
+    return parallel_min(count, count, [&](Index e) {
+      if (is_removed(body, e)) return count;
+      return smallest_point<Chosen>(gather_corners(nodes.position, body.hexes[e])).volume > T(0) ? count : e;
+    });
   });
   return first == count ? -1 : first;
 }

@@ -60,23 +60,25 @@ template <class T, class Law, class Rule, class F> void for_each_pack(const HexB
 /// the nodes; writes the points' velocity gradients and, for add_internal_force(), mean gradients and hourglass motion.
 template <class T, class Law, class Rule> void velocity_gradient(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   using P = Pack<T>;
-  for_each_pack(body, [&](Index pack) {
-    const Corners<P> x = corner_positions(body, nodes, pack), v = corner_velocities(body, nodes, pack);
-    const HexModes<P> x_modes = modes<P>(x), v_modes = modes<P>(v);
-    body.mean_gradient[pack] = mean_gradient<P>(x_modes);
-    const Mat3<P> L = mean_velocity_gradient<P>(body.mean_gradient[pack], v_modes);
-    if constexpr (Rule::points == 1) {
-      body.hourglass_motion[pack] = hourglass_motion<P>(x_modes, v_modes, L);
-      for_each_hex_of(body, pack, [&](Index e, Index lane) { body.points.velocity_gradient[e] = lane_of(L, lane); });
-    } else {
-      const P mean_trace = L(0, 0) + L(1, 1) + L(2, 2);
-      for (int p = 0; p < Rule::points; ++p) {
-        const Mat3<P> at_point = b_bar_velocity_gradient<P>(point_gradient<P>(x, p), mean_trace, v);
-        for_each_hex_of(body, pack, [&](Index e, Index lane) {
-          body.points.velocity_gradient[e * Rule::points + p] = lane_of(at_point, lane);
-        });
+  with_choice(body.rule, [&]<class Chosen>(Chosen) {
+    for_each_pack(body, [&](Index pack) {
+      const Corners<P> x = corner_positions(body, nodes, pack), v = corner_velocities(body, nodes, pack);
+      const HexModes<P> x_modes = modes<P>(x), v_modes = modes<P>(v);
+      body.mean_gradient[pack] = mean_gradient<P>(x_modes);
+      const Mat3<P> L = mean_velocity_gradient<P>(body.mean_gradient[pack], v_modes);
+      if constexpr (Chosen::points == 1) {
+        body.hourglass_motion[pack] = hourglass_motion<P>(x_modes, v_modes, L);
+        for_each_hex_of(body, pack, [&](Index e, Index lane) { body.points.velocity_gradient[e] = lane_of(L, lane); });
+      } else {
+        const P mean_trace = L(0, 0) + L(1, 1) + L(2, 2);
+        for (int p = 0; p < Chosen::points; ++p) {
+          const Mat3<P> at_point = b_bar_velocity_gradient<P>(point_gradient<P>(x, p), mean_trace, v);
+          for_each_hex_of(body, pack, [&](Index e, Index lane) {
+            body.points.velocity_gradient[e * Chosen::points + p] = lane_of(at_point, lane);
+          });
+        }
       }
-    }
+    });
   });
 }
 
@@ -99,9 +101,9 @@ N bulk_viscosity(const HexOptions<T> &options, N density, T sound_speed, N lengt
   return density * closing * (options.linear_bulk_viscosity * sound_speed + options.quadratic_bulk_viscosity * closing);
 }
 
-/// The generalised hourglass forces of a pack of hexes.
-template <class T, class Law>
-HourglassModes<Pack<T>> hourglass_forces_of(const HexBody<T, Law, OnePoint> &body, Index pack) {
+/// The generalised hourglass forces of a pack of hexes of one point.
+template <class T, class Law, class Rule>
+HourglassModes<Pack<T>> hourglass_forces_of(const HexBody<T, Law, Rule> &body, Index pack) {
   HourglassModes<Pack<T>> force;
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 3; ++r)
@@ -111,9 +113,9 @@ HourglassModes<Pack<T>> hourglass_forces_of(const HexBody<T, Law, OnePoint> &bod
 
 /// Moves the generalised hourglass forces of a pack of hexes through the step `dt` (s) and returns those that act at
 /// its end, N. They turn with the material and vanish when it fails; their work is added to the hexes' hourglass
-/// energy.
-template <class T, class Law>
-HourglassModes<Pack<T>> update_hourglass(HexBody<T, Law, OnePoint> &body, Index pack, const Mat3<Pack<T>> &L,
+/// energy. For hexes of one point.
+template <class T, class Law, class Rule>
+HourglassModes<Pack<T>> update_hourglass(HexBody<T, Law, Rule> &body, Index pack, const Mat3<Pack<T>> &L,
                                          Pack<T> density, Pack<T> gradient_norm, T dt) {
   using P = Pack<T>;
   using Forces = HourglassModes<P>;
@@ -146,16 +148,16 @@ HourglassModes<Pack<T>> update_hourglass(HexBody<T, Law, OnePoint> &body, Index 
 }
 
 /// Corner forces of a pack of hexes from its stress and the viscous pressure q (Pa), N. `L` is the velocity gradient of
-/// the first points.
-template <class T, class Law, class Rule>
+/// the first points, `Chosen` the rule.
+template <class Chosen, class T, class Law, class Rule>
 Corners<Pack<T>> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack, const Mat3<Pack<T>> &L,
                                Pack<T> density, Pack<T> gradient_norm, Pack<T> q, T dt) {
   using P = Pack<T>;
   const MeanGradient<P> &mean = body.mean_gradient[pack];
   const auto points_of = [&](int p) {
-    return load_points(body.points, [&, p](Index l) { return hex_in(body, pack, l) * Rule::points + p; });
+    return load_points(body.points, [&, p](Index l) { return hex_in(body, pack, l) * Chosen::points + p; });
   };
-  if constexpr (Rule::points == 1) {
+  if constexpr (Chosen::points == 1) {
     const MaterialPoint<P> point = points_of(0);
     const Mat3<P> sigma = full(point.deviator - spherical(P(point.pressure + q)));
     HexModes<P> force = force_modes<P>(mean, sigma);
@@ -166,7 +168,7 @@ Corners<Pack<T>> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &node
     const Corners<P> x = corner_positions(body, nodes, pack);
     Corners<P> force = Corners<P>::Constant(P(0));
     P pressure_volume = q * mean.volume;
-    for (int p = 0; p < Rule::points; ++p) {
+    for (int p = 0; p < Chosen::points; ++p) {
       const MaterialPoint<P> at_point = points_of(p);
       const PointGradient<P> point = point_gradient<P>(x, p);
       force += deviatoric_forces<P>(point, full(at_point.deviator));
@@ -181,20 +183,22 @@ Corners<Pack<T>> stress_forces(HexBody<T, Law, Rule> &body, const Nodes<T> &node
 template <class T, class Law, class Rule> void add_internal_force(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
   using P = Pack<T>;
   const T c = sound_speed(body.metal);
-  for_each_pack(body, [&](Index pack) {
-    const auto first_point = [&](Index l) { return hex_in(body, pack, l) * Rule::points; };
-    const Mat3<P> L = load_gradients(body.points, first_point);
-    const P density = pack_of<T>([&](Index l) { return body.points.density[first_point(l)]; });
-    const MeanGradient<P> &mean = body.mean_gradient[pack];
-    const P norm = gradient_norm<P>(mean), dilatation = L(0, 0) + L(1, 1) + L(2, 2);
-    const P q = bulk_viscosity<T, P>(body.options, density, c, viscous_length<P>(norm), dilatation);
-    const Corners<P> force = stress_forces(body, nodes, pack, L, density, norm, q, dt);
-    for_each_hex_of(body, pack, [&](Index e, Index lane) {
-      body.viscous_energy[e] -=
-          T(0.5) * dt * (body.viscous_pressure[e] + q[lane]) * dilatation[lane] * mean.volume[lane];
-      body.viscous_pressure[e] = q[lane];
-      for (int a = 0; a < 8; ++a)
-        body.corner_force[8 * e + a] = Vec3<T>(force(a, 0)[lane], force(a, 1)[lane], force(a, 2)[lane]);
+  with_choice(body.rule, [&]<class Chosen>(Chosen) {
+    for_each_pack(body, [&](Index pack) {
+      const auto first_point = [&](Index l) { return hex_in(body, pack, l) * Chosen::points; };
+      const Mat3<P> L = load_gradients(body.points, first_point);
+      const P density = pack_of<T>([&](Index l) { return body.points.density[first_point(l)]; });
+      const MeanGradient<P> &mean = body.mean_gradient[pack];
+      const P norm = gradient_norm<P>(mean), dilatation = L(0, 0) + L(1, 1) + L(2, 2);
+      const P q = bulk_viscosity<T, P>(body.options, density, c, viscous_length<P>(norm), dilatation);
+      const Corners<P> force = stress_forces<Chosen>(body, nodes, pack, L, density, norm, q, dt);
+      for_each_hex_of(body, pack, [&](Index e, Index lane) {
+        body.viscous_energy[e] -=
+            T(0.5) * dt * (body.viscous_pressure[e] + q[lane]) * dilatation[lane] * mean.volume[lane];
+        body.viscous_pressure[e] = q[lane];
+        for (int a = 0; a < 8; ++a)
+          body.corner_force[8 * e + a] = Vec3<T>(force(a, 0)[lane], force(a, 1)[lane], force(a, 2)[lane]);
+      });
     });
   });
   const CornersOfNodes &list = body.corners_of_nodes;

@@ -63,9 +63,9 @@ template <class N> struct FastestMotion {
 };
 
 /// The fastest motion of a hex with the corners `x` (m), the inverse masses there (1/kg), the density (kg/m3) and the
-/// dilatation rate (1/s) of its first point. With SelectiveReduced the deviatoric part is bounded point by point:
-/// sum_p 2 mu s_max,p + K tr S.
-template <class T, class N, class Law, class Rule>
+/// dilatation rate (1/s) of its first point; `Chosen` is the rule. With SelectiveReduced the deviatoric part is bounded
+/// point by point: sum_p 2 mu s_max,p + K tr S.
+template <class Chosen, class T, class N, class Law, class Rule>
 FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners<N> &x,
                                 const CornerWeights<N> &inverse_mass, N density, N dilatation) {
   using std::max;
@@ -76,11 +76,11 @@ FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners
   Sym3<N> S = gradient_moment<N>(corner_integrals<N>(mean), inverse_mass);
   S *= N(1) / mean.volume;
   FastestMotion<N> motion;
-  if constexpr (Rule::points == 1) {
+  if constexpr (Chosen::points == 1) {
     motion.omega_squared = T(2) * mu * largest_eigenvalue_bound<T>(S) + std::max(lambda, T(0)) * trace(S);
   } else {
     motion.omega_squared = bulk * trace(S);
-    for (int p = 0; p < Rule::points; ++p) {
+    for (int p = 0; p < Chosen::points; ++p) {
       const PointGradient<N> point = point_gradient<N>(x, p);
       const Sym3<N> at_point = gradient_moment<N>(point.gradient, inverse_mass);
       motion.omega_squared += T(2) * mu * point.volume * largest_eigenvalue_bound<T>(at_point);
@@ -91,7 +91,7 @@ FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners
   const N norm = gradient_norm<N>(mean), length = viscous_length<N>(norm), closing = max(-dilatation, N(0));
   motion.damping = density * length * trace(S) *
                    (options.linear_bulk_viscosity * c + options.quadratic_bulk_viscosity * length * closing);
-  if constexpr (Rule::points == 1) {
+  if constexpr (Chosen::points == 1) {
     N most = inverse_mass[0];
     for (int a = 1; a < 8; ++a) most = max(most, inverse_mass[a]);
     motion.damping += most * hourglass_damping<T, N>(options.hourglass_viscosity, p_wave_modulus(elastic), density,
@@ -105,22 +105,26 @@ template <class T, class Law, class Rule>
 FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
   CornerWeights<T> inverse_mass;
   for (int a = 0; a < 8; ++a) inverse_mass[a] = T(1) / body.corner_mass[e][a];
-  const Index i = e * Rule::points;
-  return fastest_motion<T, T>(body, gather_corners(nodes.position, body.hexes[e]), inverse_mass, body.points.density[i],
-                              body.points.velocity_gradient[i].trace());
+  return with_choice(body.rule, [&]<class Chosen>(Chosen) {
+    const Index i = e * Chosen::points;
+    return fastest_motion<Chosen, T, T>(body, gather_corners(nodes.position, body.hexes[e]), inverse_mass,
+                                        body.points.density[i], body.points.velocity_gradient[i].trace());
+  });
 }
 
-/// The fastest motions of a pack of hexes at the latest positions; without meaning for removed ones.
-template <class T, class Law, class Rule>
+/// The fastest motions of a pack of hexes at the latest positions; without meaning for removed ones. `Chosen` is the
+/// rule.
+template <class Chosen, class T, class Law, class Rule>
 FastestMotion<Pack<T>> fastest_motions(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index pack) {
   using P = Pack<T>;
   CornerWeights<P> inverse_mass;
   for (int a = 0; a < 8; ++a)
     inverse_mass[a] = P(1) / pack_of<T>([&](Index l) { return body.corner_mass[hex_in(body, pack, l)][a]; });
-  const auto point = [&](Index l) { return hex_in(body, pack, l) * Rule::points; };
-  return fastest_motion<T, P>(body, corner_positions(body, nodes, pack), inverse_mass,
-                              pack_of<T>([&](Index l) { return body.points.density[point(l)]; }),
-                              pack_of<T>([&](Index l) { return body.points.velocity_gradient[point(l)].trace(); }));
+  const auto point = [&](Index l) { return hex_in(body, pack, l) * Chosen::points; };
+  return fastest_motion<Chosen, T, P>(
+      body, corner_positions(body, nodes, pack), inverse_mass,
+      pack_of<T>([&](Index l) { return body.points.density[point(l)]; }),
+      pack_of<T>([&](Index l) { return body.points.velocity_gradient[point(l)].trace(); }));
 }
 
 /// The stable step of a motion, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta).
@@ -129,18 +133,15 @@ template <class T> T stable_time_step(const FastestMotion<T> &motion) {
   return T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
 }
 
-/// The step that strains the fastest of several points of hex e by largest_point_strain, s.
-template <class T, class Law> T step_of_strain(const HexBody<T, Law, SelectiveReduced> &body, Index e) {
-  constexpr int points = SelectiveReduced::points;
+/// The step that strains the fastest of several points of hex e by largest_point_strain, s. One point strains with its
+/// hex.
+template <class T, class Law, class Rule> T step_of_strain(const HexBody<T, Law, Rule> &body, Index e) {
+  const Index points = points_of_hex(body);
+  if (points == 1) return std::numeric_limits<T>::max();
   T fastest = std::numeric_limits<T>::min();
-  for (int p = 0; p < points; ++p)
-    fastest = std::max(fastest, full(symmetric_part(body.points.velocity_gradient[e * points + p])).squaredNorm());
+  for (Index i = e * points; i < (e + 1) * points; ++i)
+    fastest = std::max(fastest, full(symmetric_part(body.points.velocity_gradient[i])).squaredNorm());
   return T(largest_point_strain) / std::sqrt(fastest);
-}
-
-/// One point strains with its hex.
-template <class T, class Law> T step_of_strain(const HexBody<T, Law, OnePoint> &, Index) {
-  return std::numeric_limits<T>::max();
 }
 
 /// The stable step of hex e at the latest positions if it were alone, s.
@@ -174,11 +175,13 @@ FastestMotion<T> mean_at_node(const HexBody<T, Law, Rule> &body, const std::vect
 template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
   const Index count = static_cast<Index>(body.hexes.size());
   std::vector<FastestMotion<T>> of_hexes(body.hexes.size());
-  for_each_pack(body, [&](Index pack) {
-    const FastestMotion<Pack<T>> motions = fastest_motions(body, nodes, pack);
-    // One without volume has no bound, and must not lower that of its neighbours.
-    for_each_hex_of(body, pack, [&](Index e, Index lane) {
-      if (motions.omega_squared[lane] > T(0)) of_hexes[e] = {motions.omega_squared[lane], motions.damping[lane]};
+  with_choice(body.rule, [&]<class Chosen>(Chosen) {
+    for_each_pack(body, [&](Index pack) {
+      const FastestMotion<Pack<T>> motions = fastest_motions<Chosen>(body, nodes, pack);
+      // One without volume has no bound, and must not lower that of its neighbours.
+      for_each_hex_of(body, pack, [&](Index e, Index lane) {
+        if (motions.omega_squared[lane] > T(0)) of_hexes[e] = {motions.omega_squared[lane], motions.damping[lane]};
+      });
     });
   });
   const T none = std::numeric_limits<T>::max();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/choice.hpp"
 #include "ogive/core/pack.hpp"
 
 #include <algorithm>
@@ -42,6 +43,20 @@ concept FlowLaw = AbsoluteFlowLaw<Law, T> || HomologousFlowLaw<Law, T, T>;
 /// A flow law that also takes packs, so that several points flow at once. Other laws are evaluated point by point.
 template <class Law, class T>
 concept PackedFlowLaw = AbsoluteFlowLaw<Law, Pack<T>> || HomologousFlowLaw<Law, T, Pack<T>>;
+
+/// The flow stress of the law that the variant holds: a law that is chosen when the program runs.
+template <class... Laws, class T, class N>
+requires((AbsoluteFlowLaw<Laws, N> ||
+          HomologousFlowLaw<Laws, T, N>)&&...) FlowStress<N> flow_stress(const std::variant<Laws...> &law,
+                                                                         N plastic_strain, N rate, N temperature,
+                                                                         const ReferenceTemperatures<T> &reference) {
+  return with_choice(law, [&]<class Law>(const Law &chosen) {
+    if constexpr (HomologousFlowLaw<Law, T, N>)
+      return flow_stress(chosen, plastic_strain, rate, temperature, reference);
+    else
+      return flow_stress(chosen, plastic_strain, rate, temperature);
+  });
+}
 
 /// Hardening A + B eps^n and its slope. At eps = 0 the slope of n < 1 is infinite; a large finite one is given.
 template <class N> struct PowerHardening {

@@ -13,6 +13,16 @@ enum class PlateKind {
   hexes      ///< hexes that turn into particles where they fail
 };
 
+/// Kernel and form of the particles and rule of the hexes: types, or variants of types where a program chooses.
+template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint> struct Discretisation {
+  Kernel kernel{}; ///< of particles
+  Form form{};     ///< of their gradients and forces
+  Rule rule{};     ///< of hexes
+};
+
+/// Those of a program that chooses.
+using AnyDiscretisation = Discretisation<AnyKernel, AnyForm, AnyRule>;
+
 /// Numerical choices of a perforation model; the defaults are the same for all cases.
 template <class T> struct PerforationOptions {
   PlateKind plate = PlateKind::particles; ///< what it is made of

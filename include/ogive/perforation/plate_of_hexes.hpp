@@ -25,7 +25,7 @@ namespace ogive {
 template <class Kernel, class Form, class Rule, class T, class Law>
 Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>>
 add_plate_of_hexes(Nodes<T> &nodes, const PerforationCase<T> &c, Metal<T, Law> metal,
-                   const PerforationOptions<T> &options) {
+                   const PerforationOptions<T> &options, const Discretisation<Kernel, Form, Rule> &parts) {
   PlateShapeOfHexes<T> shape;
   shape.struck_radius = T(0.5) * c.projectile.diameter;
   shape.fine_radius = std::min(options.fine_radius_ratio * shape.struck_radius, c.sph_radius);
@@ -51,11 +51,11 @@ add_plate_of_hexes(Nodes<T> &nodes, const PerforationCase<T> &c, Metal<T, Law> m
   // Failed metal bears pressure only. A failed hex bears nothing, until it is a particle.
   metal.damage.effect = FailureEffect::no_tension;
   Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>> plates;
-  plates.particles.push_back(
-      add_sph_body<Kernel, Form>(nodes, layout, metal, "disc", symmetry_planes(c.extent), options.sph));
+  plates.particles.push_back(add_sph_body<Kernel, Form>(nodes, layout, metal, "disc", symmetry_planes(c.extent),
+                                                        options.sph, parts.kernel, parts.form));
   metal.damage = regularised(metal.damage, layout.spacing);
   metal.damage.effect = FailureEffect::removal;
-  plates.hexes.push_back(add_hex_body<Rule>(nodes, mesh, metal, "plate", options.plate_hex));
+  plates.hexes.push_back(add_hex_body<Rule>(nodes, mesh, metal, "plate", options.plate_hex, parts.rule));
   return plates;
 }
 

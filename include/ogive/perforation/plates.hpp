@@ -70,19 +70,21 @@ template <class Particles, class Hexes> struct Plates {
 template <class Kernel, class Form, class Rule, class T, class Law>
 Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>>
 add_plates_of_particles(Nodes<T> &nodes, const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &metals,
-                        const PerforationOptions<T> &options) {
+                        const PerforationOptions<T> &options, const Discretisation<Kernel, Form, Rule> &parts) {
   const std::vector<Layer<T>> layers = layers_of(c);
   const SymmetryPlanes planes = symmetry_planes(c.extent);
   Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>> plates;
   for (std::size_t k = 0; k < layers.size(); ++k)
     plates.particles.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k]), metals[k],
-                                                          body_name("disc", k, layers.size()), planes, options.sph));
+                                                          body_name("disc", k, layers.size()), planes, options.sph,
+                                                          parts.kernel, parts.form));
   for (std::size_t k = 0; k < layers.size(); ++k) {
     const RimShape<T> shape = rim_shape(c, layers[k], options.rim_size_ratio * plates.particles[k].spacing);
     HexMesh<T> mesh = rim_mesh(shape, c.extent);
     plates.facets.push_back(facets_of_rim(mesh, shape, planes, nodes.size()));
     for (Vec3<T> &p : mesh.positions) p[2] -= layers[k].front;
-    plates.hexes.push_back(add_hex_body<Rule>(nodes, mesh, metals[k], body_name("rim", k, layers.size()), options.hex));
+    plates.hexes.push_back(
+        add_hex_body<Rule>(nodes, mesh, metals[k], body_name("rim", k, layers.size()), options.hex, parts.rule));
   }
   return plates;
 }

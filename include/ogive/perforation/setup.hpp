@@ -26,6 +26,9 @@ template <class T, class Law, class Kernel, class Form, class Rule>
 using PerforationModel =
     Model<T, PerforationBodies<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>>;
 
+/// A perforation model whose flow law, kernel, form and rule are chosen when the program runs: one type for all cases.
+template <class T> using AnyPerforationModel = PerforationModel<T, AnyJohnsonCook<T>, AnyKernel, AnyForm, AnyRule>;
+
 /// The particles of a plate: of the only one, or of the `layer`-th from the front, from 0.
 template <class M> auto &plate_particles(M &model, std::size_t layer = 0) {
   return model.bodies.plate_particles[layer];
@@ -113,8 +116,8 @@ template <class T> void check(const PerforationCase<T> &c) {
 template <class Rule, class T>
 HexBody<T, Bilinear<T>, Rule> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &c, const HexMesh<T> &mesh,
                                              const Metal<T, Bilinear<T>> &metal, const HexOptions<T> &options,
-                                             T tolerance) {
-  auto shot = add_hex_body<Rule>(nodes, mesh, metal_of_mass(metal, c), "projectile", options);
+                                             T tolerance, Rule rule) {
+  auto shot = add_hex_body<Rule>(nodes, mesh, metal_of_mass(metal, c), "projectile", options, rule);
   hold_on_planes(nodes, shot.nodes, symmetry_planes(c.extent), tolerance);
   set_velocity(nodes, shot.nodes, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
   return shot;
@@ -127,7 +130,8 @@ HexBody<T, Bilinear<T>, Rule> add_projectile(Nodes<T> &nodes, const PerforationC
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
 PerforationModel<T, Law, Kernel, Form, Rule>
 make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &metals,
-                 const Metal<T, Bilinear<T>> &projectile_metal, PerforationOptions<T> options = {}) {
+                 const Metal<T, Bilinear<T>> &projectile_metal, PerforationOptions<T> options = {},
+                 const Discretisation<Kernel, Form, Rule> &parts = {}) {
   check(c);
   const bool of_hexes = options.plate == PlateKind::hexes;
   const std::size_t layers = 1 + c.behind.size();
@@ -136,8 +140,8 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   require(!of_hexes || layers == 1, "number of plates of hexes", layers, "must be 1");
   const SymmetryPlanes planes = symmetry_planes(c.extent);
   Nodes<T> nodes;
-  auto plates = of_hexes ? add_plate_of_hexes<Kernel, Form, Rule>(nodes, c, metals.front(), options)
-                         : add_plates_of_particles<Kernel, Form, Rule>(nodes, c, metals, options);
+  auto plates = of_hexes ? add_plate_of_hexes(nodes, c, metals.front(), options, parts)
+                         : add_plates_of_particles(nodes, c, metals, options, parts);
   auto &[particles, hexes, facets] = plates;
   const T spacing = particles.front().spacing, tolerance = T(1e-3) * spacing;
   for (const auto &body : hexes) {
@@ -146,7 +150,7 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   }
 
   const HexMesh<T> shot_mesh = in_line_of_flight(projectile_mesh(c.projectile, spacing, c.extent), c);
-  auto shot = add_projectile<Rule>(nodes, c, shot_mesh, projectile_metal, options.hex, tolerance);
+  auto shot = add_projectile(nodes, c, shot_mesh, projectile_metal, options.hex, tolerance, parts.rule);
   T step_of_particles = std::numeric_limits<T>::max(), step_of_contact = step_of_particles;
   for (const auto &body : particles) {
     step_of_particles = std::min(step_of_particles, stable_time_step(body, nodes));
@@ -189,10 +193,10 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
 
 /// The same with one metal for all plates.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
-PerforationModel<T, Law, Kernel, Form, Rule> make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate,
-                                                              const Metal<T, Bilinear<T>> &projectile_metal,
-                                                              PerforationOptions<T> options = {}) {
-  return make_perforation<Kernel, Form, Rule>(c, std::vector(1 + c.behind.size(), plate), projectile_metal, options);
+PerforationModel<T, Law, Kernel, Form, Rule>
+make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate, const Metal<T, Bilinear<T>> &projectile_metal,
+                 PerforationOptions<T> options = {}, const Discretisation<Kernel, Form, Rule> &parts = {}) {
+  return make_perforation(c, std::vector(1 + c.behind.size(), plate), projectile_metal, options, parts);
 }
 
 } // namespace ogive

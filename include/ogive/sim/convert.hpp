@@ -46,12 +46,13 @@ template <class Particles> bool is_converted(const Particles &particles, Index e
 template <class T, class Law, class Rule>
 bool is_too_distorted(const HexBody<T, Law, Rule> &hexes, const Nodes<T> &nodes, Index e,
                       const ConversionOptions<T> &options, T spacing) {
-  for (Index i = e * Rule::points; i < (e + 1) * Rule::points; ++i)
+  const Index points = points_of_hex(hexes);
+  for (Index i = e * points; i < (e + 1) * points; ++i)
     // Written so that a NaN is left to the guards.
     if (const T density = hexes.points.density[i];
         density <= T(0) || density > options.largest_compression * hexes.metal.density)
       return true;
-  if (hexes.points.plastic_strain[e * Rule::points] < options.least_strain_to_look_at) return false;
+  if (hexes.points.plastic_strain[e * points] < options.least_strain_to_look_at) return false;
   const Corners<T> x = gather_corners(nodes.position, hexes.hexes[e]);
   if (!(hex_volume<T>(x) > T(0)) || !(smallest_corner_jacobian<T>(x) > T(0))) return true;
   return stable_time_step_of_hex(hexes, nodes, e) < options.smallest_step * spacing / sound_speed(hexes.metal);
@@ -70,10 +71,11 @@ template <class T, class Law, class Rule> void settle(HexBody<T, Law, Rule> &bod
   const Mat3<T> L = mean_velocity_gradient<T>(mean, v);
   const Sym3<T> D = symmetric_part(midstep_gradient<T>(L, dt));
   const T half = T(0.5) * dt;
-  for (Index i = e * Rule::points; i < (e + 1) * Rule::points; ++i)
+  const Index points = points_of_hex(body);
+  for (Index i = e * points; i < (e + 1) * points; ++i)
     body.points.internal_energy[i] += half / body.points.density[i] * double_dot(stress(load(body.points, i)), D);
   body.viscous_energy[e] -= half * body.viscous_pressure[e] * L.trace() * mean.volume;
-  if constexpr (Rule::points == 1)
+  if (points == 1)
     body.hourglass_energy[e] += half * body.hourglass_force[e].cwiseProduct(hourglass_motion<T>(x, v, L).rate).sum();
 }
 
@@ -81,12 +83,13 @@ template <class T, class Law, class Rule> void settle(HexBody<T, Law, Rule> &bod
 /// without shear and tension.
 template <class T, class Law, class Rule> MaterialPoint<T> failed_point(const HexBody<T, Law, Rule> &body, Index e) {
   MaterialPoint<T> mean;
-  for (Index i = e * Rule::points; i < (e + 1) * Rule::points; ++i) {
+  const Index points = points_of_hex(body);
+  for (Index i = e * points; i < (e + 1) * points; ++i) {
     const MaterialPoint<T> p = load(body.points, i);
     for (T MaterialPoint<T>::*field :
          {&MaterialPoint<T>::density, &MaterialPoint<T>::plastic_strain, &MaterialPoint<T>::temperature,
           &MaterialPoint<T>::damage, &MaterialPoint<T>::internal_energy})
-      mean.*field += T(1) / T(Rule::points) * (p.*field);
+      mean.*field += T(1) / T(points) * (p.*field);
   }
   mean.damage = std::max(mean.damage, T(1));
   const auto &metal = body.metal;
@@ -100,13 +103,14 @@ template <class T, class Law, class Rule> MaterialPoint<T> failed_point(const He
 
 /// Takes hex e out of its body: no stress, no energy per mass, no share in the masses of its nodes.
 template <class T, class Law, class Rule> void take_out(HexBody<T, Law, Rule> &body, Index e) {
-  for (Index i = e * Rule::points; i < (e + 1) * Rule::points; ++i) {
+  const Index points = points_of_hex(body);
+  for (Index i = e * points; i < (e + 1) * points; ++i) {
     MaterialPoint<T> p = load(body.points, i);
     p.deviator = {}, p.pressure = T(0), p.internal_energy = T(0), p.damage = std::max(p.damage, T(1));
     store(body.points, i, p);
     body.points.velocity_gradient[i].setZero();
   }
-  if constexpr (Rule::points == 1) body.hourglass_force[e].setZero();
+  if (points == 1) body.hourglass_force[e].setZero();
   body.viscous_pressure[e] = T(0);
   body.corner_mass[e].fill(T(0));
 }

@@ -88,12 +88,14 @@ void add_body(Fingerprint &print, const SphBody<T, Law, Kernel, Form> &body) {
   add_name_and_metal(print, body);
   const SphOptions<T> &o = body.options;
   print.add(body.symmetry), print.add(body.spacing), print.add(o.variable_smoothing), print.add(o.damage_pressure),
-      print.add(Form::corrected);
+      print.add(is_corrected(body));
   for (const T number :
        {o.smoothing_ratio, o.linear_viscosity, o.quadratic_viscosity, o.skin_ratio, o.courant, o.largest_strain,
         o.control.stiffness, o.control.strength, o.control.while_flowing, o.control.reach})
     print.add(number);
-  for (const double u : {0.3, 0.9, 1.6}) print.add(Kernel::norm * Kernel::shape(u));
+  with_choice(body.kernel, [&](auto kernel) {
+    for (const double u : {0.3, 0.9, 1.6}) print.add(kernel.norm * kernel.shape(u));
+  });
 }
 
 /// Adds slaves, masters and options of a contact.

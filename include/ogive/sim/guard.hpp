@@ -61,12 +61,13 @@ template <class T, class Bodies> std::optional<Fault> find_not_finite(const Mode
 template <class T, class Law, class Rule>
 Fault inverted_fault(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index hex) {
   const Corners<T> x = gather_corners(nodes.position, body.hexes[hex]);
-  const PointVolume<T> smallest = smallest_point<Rule>(x);
+  const PointVolume<T> smallest =
+      with_choice(body.rule, [&]<class Chosen>(Chosen) { return smallest_point<Chosen>(x); });
   Vec3<T> at = x.colwise().mean().transpose();
   std::ostringstream what;
   what << "a hex has no volume left";
-  if constexpr (Rule::points > 1) {
-    what << " at its point " << smallest.point << " of " << Rule::points;
+  if (const Index points = points_of_hex(body); points > 1) {
+    what << " at its point " << smallest.point << " of " << points;
     at = x.transpose() * shape_functions<T>(gauss_point<T>(smallest.point));
   }
   what << ": " << 1e9 * double(smallest.volume) << " mm3 at " << in_mm<T>(at);

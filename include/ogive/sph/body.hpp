@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/choice.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
 #include "ogive/material/metal.hpp"
@@ -47,6 +48,9 @@ struct StandardForm {
   static constexpr bool corrected = false; ///< B = I
 };
 
+/// A form that is chosen when the program runs.
+using AnyForm = std::variant<RenormalisedForm, StandardForm>;
+
 /// Whose pressure the damage of a particle follows.
 enum class DamagePressure {
   own,       ///< its own, which alternates from neighbour to neighbour where particles flow
@@ -71,12 +75,14 @@ template <class T, class Law, class Kernel_ = CubicSpline, class Form_ = Renorma
 struct SphBody {
   /// Number type.
   using Scalar = T;
-  /// Smoothing kernel.
+  /// Smoothing kernel, or a variant of them.
   using Kernel = Kernel_;
-  /// RenormalisedForm or StandardForm.
+  /// RenormalisedForm, StandardForm or AnyForm.
   using Form = Form_;
   std::string name;                 ///< for messages and files
   Metal<T, Law> metal;              ///< the same in all particles
+  Kernel kernel{};                  ///< the same for all particles
+  Form form{};                      ///< of gradients and forces
   SphOptions<T> options{};          ///< numerical parameters
   SymmetryPlanes symmetry{};        ///< mirror planes
   T spacing{};                      ///< particle distance, m
@@ -109,7 +115,8 @@ template <class T> struct ParticleLayout {
 /// spacing, volumes or the metal's constants are not positive.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class T, class Law>
 SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout<T> &layout, const Metal<T, Law> &metal,
-                                           std::string name, SymmetryPlanes symmetry = {}, SphOptions<T> options = {}) {
+                                           std::string name, SymmetryPlanes symmetry = {}, SphOptions<T> options = {},
+                                           Kernel kernel = {}, Form form = {}) {
   check(metal);
   require(!layout.positions.empty(), name + " particles", 0, "there must be at least one");
   require(layout.spacing > T(0), name + " spacing (m)", layout.spacing, "must be positive");
@@ -119,6 +126,8 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
   body.name = std::move(name);
   body.metal = metal;
   body.metal.damage = regularised(metal.damage, layout.spacing);
+  body.kernel = kernel;
+  body.form = form;
   body.options = options;
   body.symmetry = symmetry;
   body.spacing = layout.spacing;
@@ -135,6 +144,11 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
   if (const ZeroEnergyControl<T> &control = options.control; control.stiffness > T(0))
     body.bonds = make_bonds<T>(layout.positions, symmetry, control.reach * layout.spacing);
   return body;
+}
+
+/// True if the gradients of the body are corrected.
+template <class T, class Law, class K, class F> bool is_corrected(const SphBody<T, Law, K, F> &body) {
+  return with_choice(body.form, [](auto form) { return form.corrected; });
 }
 
 /// Smoothing length of the undeformed body, m.

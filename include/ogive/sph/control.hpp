@@ -50,12 +50,12 @@ template <class T, class P> Vec3<P> grown_moment(const Vec3<P> &q, const RowOfBo
   return q + growth * (bond.v - L * bond.x) + spin.cross(q);
 }
 
-/// Adds the forces of the bonds to the particles' nodes, and the work of the step before, `dt` (s), to their ledger.
-template <class T, class Law, class K, class F>
-void add_control_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
+/// add_control_force() with the kernel `Kernel`.
+template <class Kernel, class T, class Law, class K, class F>
+void add_control_force_with(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
   using P = Pack<T>;
   prepare_bonds(body, dt);
-  const P inverse_h = T(1) / reference_smoothing_length(body), norm = gradient_norm<K>(inverse_h);
+  const P inverse_h = T(1) / reference_smoothing_length(body), norm = gradient_norm<Kernel>(inverse_h);
   Bonds<T> &bonds = body.bonds;
   const Vec3<T> *position = &nodes.position[body.nodes.begin], *velocity = &nodes.velocity[body.nodes.begin];
   const Index count = body.points.size();
@@ -105,7 +105,7 @@ void add_control_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
         for (int d = 0; d < 3; ++d) store_pack(moment + d * lanes<T>, q[d]);
 
         const P weight =
-            volume * there([&](Index j) { return bonds.volume[j]; }) * -(norm * slope_over_u<K>(r2, inverse_h));
+            volume * there([&](Index j) { return bonds.volume[j]; }) * -(norm * slope_over_u<Kernel>(r2, inverse_h));
         force += weight * q;
         work += T(0.25) * weight * (before + q).dot(bond.v);
       }
@@ -116,6 +116,12 @@ void add_control_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
       }
     }
   });
+}
+
+/// Adds the forces of the bonds to the particles' nodes, and the work of the step before, `dt` (s), to their ledger.
+template <class T, class Law, class K, class F>
+void add_control_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
+  with_choice(body.kernel, [&]<class Kernel>(Kernel) { add_control_force_with<Kernel>(body, nodes, dt); });
 }
 
 } // namespace ogive

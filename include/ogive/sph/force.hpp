@@ -59,6 +59,7 @@ PairForces<T> pair_forces(const PairData<T> &d, const Neighbours<T> &neighbours,
 /// Brings what neighbours see of the stress up to date: G = sigma B times the volume, and the density.
 template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, Law, K, F> &body) {
   PairData<T> &d = body.pair_data;
+  const bool corrected = is_corrected(body);
   for_each_cluster(body.neighbours, [&](Index c) {
     const Index first = c * lanes<T>, *const particle = &body.neighbours.order[first];
     const MaterialPoints<T> &p = body.points;
@@ -70,7 +71,7 @@ template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, La
     Mat3<Pack<T>> G = full(Sym3<Pack<T>>{component(&Sym3<T>::xx) - pressure, component(&Sym3<T>::yy) - pressure,
                                          component(&Sym3<T>::zz) - pressure, component(&Sym3<T>::xy),
                                          component(&Sym3<T>::yz), component(&Sym3<T>::zx)});
-    if constexpr (F::corrected) {
+    if (corrected) {
       Mat3<Pack<T>> B;
       for (int k = 0; k < 9; ++k) B(k / 3, k % 3) = load_pack(&d.correction[k][first]);
       G = Mat3<Pack<T>>(G * B);
@@ -94,16 +95,18 @@ void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
   const T h = reference_smoothing_length(body);
   const ArtificialViscosity<T> viscosity{body.options.linear_viscosity, body.options.quadratic_viscosity,
                                          sound_speed(body.metal)};
-  const auto drive = [&](auto variable) {
+  const auto drive = [&]<class Kernel>(Kernel, auto variable) {
     for_each_cluster(body.neighbours, [&](Index c) {
-      const auto pairs = pair_forces<K, variable.value>(body.pair_data, body.neighbours, c, h, viscosity);
+      const auto pairs = pair_forces<Kernel, variable.value>(body.pair_data, body.neighbours, c, h, viscosity);
       for_each_lane(body, c, [&](Index i, Index lane) {
         nodes.force[body.nodes.begin + i] += Vec3<T>(pairs.x[lane], pairs.y[lane], pairs.z[lane]);
         body.viscous_energy[i] += dt * pairs.viscous_power[lane];
       });
     });
   };
-  body.options.variable_smoothing ? drive(std::true_type{}) : drive(std::false_type{});
+  with_choice(body.kernel, [&](auto kernel) {
+    body.options.variable_smoothing ? drive(kernel, std::true_type{}) : drive(kernel, std::false_type{});
+  });
   if (!body.bonds.begin.empty()) add_control_force(body, nodes, dt);
 }
 

@@ -49,7 +49,7 @@ void build_lists(SphBody<T, Law, K, F> &body, std::span<const Vec3<T>> x, T supp
     build_neighbours(body.neighbours, x, std::span<const Index>(born), body.symmetry, support, skin);
   }
   resize(body.pair_data, body.neighbours.order.size() + body.neighbours.images.size());
-  if constexpr (F::corrected)
+  if (is_corrected(body))
     for (auto &B : body.pair_data.correction) B.resize(body.neighbours.order.size());
 }
 
@@ -165,25 +165,28 @@ template <class N> Mat3<N> correction_matrix(const Mat3<N> &moment) {
 /// bits of the entries within the support.
 template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T, Law, K, F> &body) {
   const T h = reference_smoothing_length(body);
-  const auto drive = [&](auto variable, auto with_pressure) {
+  const bool corrected = is_corrected(body);
+  const auto drive = [&]<class Kernel>(Kernel, auto variable, auto with_pressure) {
     for_each_cluster(body.neighbours, [&](Index c) {
-      const auto sums = gradient_sums<K, variable.value, with_pressure.value>(body.pair_data, body.neighbours, c, h);
+      const auto sums =
+          gradient_sums<Kernel, variable.value, with_pressure.value>(body.pair_data, body.neighbours, c, h);
       if constexpr (with_pressure)
         for_each_lane(body, c, [&](Index i, Index lane) { body.points.neighbour_pressure[i] = sums.pressure[lane]; });
-      if constexpr (F::corrected) {
-        const Mat3<Pack<T>> B = correction_matrix(sums.moment), L = sums.gradient * B;
+      Mat3<Pack<T>> L = sums.gradient;
+      if (corrected) {
+        const Mat3<Pack<T>> B = correction_matrix(sums.moment);
+        L = sums.gradient * B;
         for (int k = 0; k < 9; ++k) store_pack(&body.pair_data.correction[k][c * lanes<T>], B(k / 3, k % 3));
-        for_each_lane(body, c, [&](Index i, Index lane) { body.points.velocity_gradient[i] = lane_of(L, lane); });
-      } else {
-        for_each_lane(body, c,
-                      [&](Index i, Index lane) { body.points.velocity_gradient[i] = lane_of(sums.gradient, lane); });
       }
+      for_each_lane(body, c, [&](Index i, Index lane) { body.points.velocity_gradient[i] = lane_of(L, lane); });
     });
   };
-  const auto choose = [&](auto variable) {
-    sees_neighbours(body) ? drive(variable, std::true_type{}) : drive(variable, std::false_type{});
-  };
-  body.options.variable_smoothing ? choose(std::true_type{}) : choose(std::false_type{});
+  with_choice(body.kernel, [&](auto kernel) {
+    const auto choose = [&](auto variable) {
+      sees_neighbours(body) ? drive(kernel, variable, std::true_type{}) : drive(kernel, variable, std::false_type{});
+    };
+    body.options.variable_smoothing ? choose(std::true_type{}) : choose(std::false_type{});
+  });
 }
 
 } // namespace ogive

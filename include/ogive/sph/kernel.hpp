@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/choice.hpp"
 #include "ogive/core/pack.hpp"
 
 #include <algorithm>
@@ -56,6 +57,9 @@ struct WendlandC2 {
     return T(-5) * s * s * s;
   }
 };
+
+/// A kernel that is chosen when the program runs.
+using AnyKernel = std::variant<CubicSpline, WendlandC2>;
 
 /// W(r) in 1/m3.
 template <class Kernel, class T> T kernel_value(T r, T h) {
