@@ -4,7 +4,7 @@ add_library(calibrate_parts STATIC ${calibrate_sources})
 target_link_libraries(
   calibrate_parts
   PUBLIC ogive_material_file ogive_command_line
-  PRIVATE ogive_flags tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json)
+  PRIVATE ogive_flags ogive_draw tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json)
 
 ogive_program(calibrate SOURCES calibrate/main.cpp LIBRARIES calibrate_parts)
 ogive_program(synthetic_curves SOURCES calibrate/synthetic_curves.cpp LIBRARIES calibrate_parts)

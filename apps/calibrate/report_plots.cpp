@@ -5,7 +5,8 @@
 
 #include "ogive/fit/adiabatic_curve.hpp"
 #include "ogive/fit/strain_bins.hpp"
-#include "ogive/io/gnuplot.hpp"
+#include "draw/plot.hpp"
+#include "ogive/io/atomic_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,7 @@ namespace calibrate {
 namespace {
 
 using input::shortest;
-using ogive::gnuplot_quoted;
+using draw::gnuplot_quoted;
 
 /// A table that grows in memory, to be written at once.
 struct Table {
@@ -70,7 +71,7 @@ struct Plots {
 void draw(Plots &p, const std::string &name, const std::string &commands) {
   if (!p.options.plots) return;
   try {
-    ogive::draw_with_gnuplot(commands, p.file(name));
+    draw::draw_with_gnuplot(commands, p.file(name));
   } catch (const std::exception &error) {
     p.left_out += (p.left_out.empty() ? "" : "; ") + std::string(error.what());
   }
@@ -82,7 +83,7 @@ std::string axes(const std::string &title, const std::string &y) {
 
 /// Rows of a table where a column has a value.
 std::string rows_where(const std::filesystem::path &file, int column, double value, int x, int y) {
-  return ogive::gnuplot_file(file) + " every ::1 using ($" + std::to_string(column) + "==" + shortest(value) + " ? $" +
+  return draw::gnuplot_file(file) + " every ::1 using ($" + std::to_string(column) + "==" + shortest(value) + " ? $" +
          std::to_string(x) + " : 1/0):" + std::to_string(y);
 }
 
@@ -153,7 +154,7 @@ void write_rate_exponent(Plots &p) {
   if (bins.empty()) return;
   draw(p, "rate_exponent.svg",
        axes(p.options.name + ", from each bin of plastic strain", "C") + "set key top right; set xrange [0:*]; plot " +
-           ogive::gnuplot_file(p.file("rate_exponent.csv")) +
+           draw::gnuplot_file(p.file("rate_exponent.csv")) +
            " every ::1 using 1:2:3 with yerrorbars pointtype 7 pointsize 0.5 lc rgb " + colour(0) +
            " title 'bin, ± standard error', " +
            plateau(p.results.series.settings.rate_window, bins.back().strain, p.law.C, number(p.law.C, "C = %.5f")));

@@ -4,7 +4,7 @@ add_library(figure_parts STATIC figures/campaign.cpp figures/child.cpp figures/l
 target_link_libraries(
   figure_parts
   PUBLIC ogive_material_file ogive_command_line
-  PRIVATE ogive_flags nlohmann_json::nlohmann_json)
+  PRIVATE ogive_flags ogive_draw nlohmann_json::nlohmann_json)
 target_compile_definitions(figure_parts PUBLIC FIGURES_DATA_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/data")
 foreach(campaign steel_blunt nose_shapes aluminium_conical)
   ogive_program(${campaign} SOURCES figures/${campaign}.cpp LIBRARIES figure_parts)

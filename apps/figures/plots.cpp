@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plots.hpp"
 
-#include "ogive/io/gnuplot.hpp"
+#include "draw/plot.hpp"
+#include "ogive/io/atomic_file.hpp"
 #include "shared/experiment.hpp"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace figures {
 namespace {
 
 namespace fs = std::filesystem;
-using ogive::gnuplot_file;
-using ogive::gnuplot_quoted;
+using draw::gnuplot_file;
+using draw::gnuplot_quoted;
 using ogive::shortest;
 
 /// Points to be plotted, x and y.
@@ -111,8 +112,7 @@ std::string axes(const std::string &x, const std::string &y, const std::string &
 
 void draw(const std::string &commands, const fs::path &out, int figure, int width, int height) {
   const std::string name = "figure_" + std::to_string(figure);
-  for (const char *kind : {"svg", "png"})
-    ogive::draw_with_gnuplot(commands, out / (name + "." + kind), {width, height});
+  for (const char *kind : {"svg", "png"}) draw::draw_with_gnuplot(commands, out / (name + "." + kind), {width, height});
 }
 
 bool draw_residuals(const Plot &plot, const std::vector<SeriesKey> &series, const std::vector<ShotRow> &rows,

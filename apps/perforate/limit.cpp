@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limit.hpp"
 
+#include "draw/plot.hpp"
 #include "files.hpp"
 #include "ogive/fit/ballistic_limit.hpp"
-#include "ogive/io/gnuplot.hpp"
+#include "ogive/io/atomic_file.hpp"
 #include "ogive/perforation/limit_search.hpp"
 #include "options_material.hpp"
 #include "options_table.hpp"
@@ -133,15 +134,15 @@ void draw_curve(const Shots &shots, const std::optional<ogive::BallisticFit<doub
       line += shortest(v) + "," + shortest(ogive::residual_velocity(fit->curve, v)) + "\n";
     }
     ogive::write_atomically(out / "limit_fit.csv", line);
-    curves = ", " + ogive::gnuplot_file(out / "limit_fit.csv") +
+    curves = ", " + draw::gnuplot_file(out / "limit_fit.csv") +
              " using 1:2 with lines linecolor rgb '#1f4e79' linewidth 2 title 'fit'";
   }
   const std::string commands =
       "set key left top reverse Left; set xlabel 'initial velocity, m/s'; set ylabel 'residual velocity, m/s'; "
       "set yrange [0:*]; plot " +
-      ogive::gnuplot_file(out / "limit.csv") +
+      draw::gnuplot_file(out / "limit.csv") +
       " using 1:2 with points linecolor rgb '#b03a2e' pointtype 7 pointsize 1.2 title 'computed'" + curves;
-  for (const char *kind : {"limit.svg", "limit.png"}) ogive::draw_with_gnuplot(commands, out / kind);
+  for (const char *kind : {"limit.svg", "limit.png"}) draw::draw_with_gnuplot(commands, out / kind);
 }
 
 std::string with_error(double value, const ogive::ParameterReport<double> &report, const char *form) {
