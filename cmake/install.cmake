@@ -1,9 +1,9 @@
-# Headers, targets and the CMake package `ogive` with the optional components `vtk` and `vtk_render`.
+# Headers, targets and the CMake package `ogive` with the optional component `vtk`.
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ogive")
 
-foreach(target IN ITEMS ogive ogive_vtk ogive_vtk_render)
+foreach(target IN ITEMS ogive ogive_vtk)
   if(TARGET ${target})
     install(TARGETS ${target} EXPORT ${target} FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
     install(
@@ -19,7 +19,7 @@ write_basic_package_version_file(ogive-config-version.cmake COMPATIBILITY SameMi
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ogive-config.cmake" "${CMAKE_CURRENT_BINARY_DIR}/ogive-config-version.cmake"
         DESTINATION "${package_dir}")
 
-foreach(program IN ITEMS perforate calibrate section)
+foreach(program IN ITEMS perforate calibrate)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   endif()

@@ -1,29 +1,30 @@
-# The header-only targets: ogive::ogive, ogive::vtk (files) and ogive::vtk_render (pictures). The two VTK targets exist
-# where VTK was found.
+# The header-only targets: ogive::ogive, and ogive::vtk (files) where VTK was found.
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 
 # Without COMPONENTS the search would ask for everything that VTK was built with.
 set(ogive_vtk_components CommonCore CommonDataModel IOXML)
-set(ogive_vtk_render_components
-    FiltersGeneral
-    FiltersGeometry
-    IOImage
-    RenderingAnnotation
-    RenderingCore
-    RenderingFreeType
-    RenderingOpenGL2)
-find_package(VTK 9 QUIET COMPONENTS ${ogive_vtk_components} OPTIONAL_COMPONENTS ${ogive_vtk_render_components})
+# For the pictures of the programs. Found here because VTK cannot be searched twice from different folders.
+set(picture_modules)
+if(OGIVE_BUILD_APPS)
+  set(picture_modules
+      FiltersGeneral
+      FiltersGeometry
+      IOImage
+      RenderingAnnotation
+      RenderingCore
+      RenderingFreeType
+      RenderingOpenGL2)
+endif()
+find_package(VTK 9 QUIET COMPONENTS ${ogive_vtk_components} OPTIONAL_COMPONENTS ${picture_modules})
 
 # Headers say by their name which target they belong to.
 file(GLOB_RECURSE all_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/ogive/*.hpp")
 set(core_headers ${all_headers})
-list(FILTER core_headers EXCLUDE REGEX "/io/(vtk|read_frame|section_)")
+list(FILTER core_headers EXCLUDE REGEX "/io/(vtk|read_frame)")
 set(vtk_headers ${all_headers})
 list(FILTER vtk_headers INCLUDE REGEX "/io/(vtk|read_frame)")
-set(vtk_render_headers ${all_headers})
-list(FILTER vtk_render_headers INCLUDE REGEX "/io/section_")
 
 # ogive_header_library(<name> <headers>...) adds the target ogive::<name> with its own headers, which the targets of
 # VERIFY_INTERFACE_HEADER_SETS compile one by one.
@@ -54,10 +55,4 @@ if(VTK_FOUND)
   ogive_header_library(vtk ${vtk_headers})
   list(TRANSFORM ogive_vtk_components PREPEND VTK:: OUTPUT_VARIABLE modules)
   target_link_libraries(ogive_vtk INTERFACE ogive ${modules})
-endif()
-
-if(VTK_FOUND AND VTK_RenderingOpenGL2_FOUND)
-  ogive_header_library(vtk_render ${vtk_render_headers})
-  list(TRANSFORM ogive_vtk_render_components PREPEND VTK:: OUTPUT_VARIABLE modules)
-  target_link_libraries(ogive_vtk_render INTERFACE ogive_vtk ${modules} ${CMAKE_DL_LIBS})
 endif()

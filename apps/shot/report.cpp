@@ -2,10 +2,10 @@
 #include "report.hpp"
 
 #include "defaults.hpp"
+#include "draw/plot.hpp"
+#include "draw/section.hpp"
 #include "materials/library.hpp"
 #include "ogive/io/atomic_file.hpp"
-#include "ogive/io/section_picture.hpp"
-#include "ogive/io/velocity_plot.hpp"
 #include "ogive/version.hpp"
 #include "plates.hpp"
 #include "projectile.hpp"
@@ -228,20 +228,14 @@ std::string draw(const Options &o, const Result &s, const std::optional<experime
   };
   attempt([&] {
     char when[64];
-    std::snprintf(when, sizeof when, ": %.1f us, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
-    ogive::SectionPicture picture;
-    picture.title = case_title(o, s) + when;
-    picture.bar_title = "plastic strain";
-    const double low = std::min(-target_depth_mm(o) - 14, -s.flight.samples.back().nose * 1e3 - 14);
-    picture.centre_z_mm = 0.5 * (low + 22);
-    picture.half_height_mm = std::max(30.0, 0.5 * (22 - low));
-    ogive::render_section(s.last_frame, s.symmetry, o.out / "section.png", picture);
+    std::snprintf(when, sizeof when, "%.1f µs, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
+    const double low_mm = std::min(-target_depth_mm(o), -s.flight.samples.back().nose * 1e3) - 14;
+    draw::render_section({s.last_frame, when}, case_title(o, s), low_mm, o.out / "section.png");
   });
   attempt([&] {
-    ogive::VelocityPlot plot;
-    plot.title = case_title(o, s);
+    draw::VelocityPlot plot{case_title(o, s), {{o.out / "history.csv"}}};
     if (test && test->residual_mps > 0) plot.measured_residual_m_per_s = test->residual_mps;
-    ogive::write_velocity_plot(o.out / "history.csv", o.out / "velocity.svg", plot);
+    draw::write_velocity_plot(plot, o.out / "velocity.svg");
   });
   return left_out;
 }

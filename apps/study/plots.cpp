@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plots.hpp"
 
-#include "ogive/io/gnuplot.hpp"
+#include "draw/plot.hpp"
+
+#include "ogive/io/atomic_file.hpp"
+#include "ogive/io/text.hpp"
+#include "ogive/io/write_error.hpp"
 #include "shot/experiment.hpp"
 
 #include <algorithm>
@@ -14,8 +18,8 @@ namespace study {
 namespace {
 
 namespace fs = std::filesystem;
-using ogive::gnuplot_file;
-using ogive::gnuplot_quoted;
+using ::draw::gnuplot_file;
+using ::draw::gnuplot_quoted;
 using ogive::shortest;
 
 /// Points to be plotted, x and y.
@@ -122,7 +126,7 @@ std::string axes(const std::string &x, const std::string &y, const std::string &
 
 void draw(const std::string &commands, const fs::path &out, const std::string &name, int width, int height) {
   for (const char *kind : {"svg", "png"})
-    ogive::draw_with_gnuplot(commands, out / (name + "." + kind), {width, height});
+    ::draw::draw_with_gnuplot(commands, out / (name + "." + kind), {width, height});
 }
 
 /// The column of the limits' abscissa: the first whose numbers differ, else the thickness.

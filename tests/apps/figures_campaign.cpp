@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "figures_fake.hpp"
 
-#include "ogive/io/gnuplot.hpp"
+#include "draw/plot.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -132,7 +132,7 @@ TEST_CASE("Bisection goes on for the other series where shots fail") {
 }
 
 TEST_CASE("Three shards, one after another or at once, and two whole runs at once give the rows of one run") {
-  const int drawn = ogive::gnuplot_available() ? 0 : 3;
+  const int drawn = draw::gnuplot_available() ? 0 : 3;
   const FakeWorkshop whole, one_by_one, at_once, two;
   CHECK(shell_status(start_campaign(whole, {})) == drawn);
   const auto expected = comparable(whole.workshop.out);

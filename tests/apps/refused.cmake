@@ -1,9 +1,12 @@
 # refuses(<program> <what the line must contain> <arguments>...): the program must end with status 2, one line on stderr
-# that begins with its name, and nothing on stdout. It runs in `folder`.
+# that begins with its name, and nothing on stdout. It runs in `folder`. The program may be a list with a subcommand.
 function(refuses program expected)
-  get_filename_component(name "${program}" NAME)
+  list(GET program 0 path)
+  get_filename_component(name "${path}" NAME)
+  string(REPLACE "${path}" "${name}" name "${program}")
+  string(REPLACE ";" " " name "${name}")
   execute_process(
-    COMMAND "${program}" ${ARGN}
+    COMMAND ${program} ${ARGN}
     WORKING_DIRECTORY "${folder}"
     TIMEOUT 60
     RESULT_VARIABLE status

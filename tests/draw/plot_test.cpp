@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ogive/io/velocity_plot.hpp"
+#include "draw/plot.hpp"
 
 #include "io/temporary_folder.hpp"
 #include "ogive/io/csv.hpp"
@@ -8,13 +8,13 @@
 
 #include <cstdlib>
 
-using namespace ogive;
+using namespace draw;
 
 namespace {
 
 std::filesystem::path sample_history(const std::filesystem::path &folder, const std::string &name = "history.csv") {
-  auto csv = continue_csv(folder / name, {"step", "time_us", "velocity_m_per_s"});
-  for (int k = 0; k <= 20; ++k) add_row(csv, {100.0 * k, 5.0 * k, 303.5 - (k < 12 ? 14.0 * k : 160.0)});
+  auto csv = ogive::continue_csv(folder / name, {"step", "time_us", "velocity_m_per_s"});
+  for (int k = 0; k <= 20; ++k) ogive::add_row(csv, {100.0 * k, 5.0 * k, 303.5 - (k < 12 ? 14.0 * k : 160.0)});
   return csv.path;
 }
 
@@ -29,18 +29,31 @@ TEST_CASE("the velocity of a history becomes an SVG with names and units") {
   }
   const TemporaryFolder folder;
   const auto history = sample_history(folder.path);
-  VelocityPlot plot;
+  VelocityPlot plot{"", {{history}}};
   plot.title = "Weldox_460 E, 12 mm";
   plot.measured_residual_m_per_s = 199.7;
-  write_velocity_plot(history, folder.path / "velocity.svg", plot);
+  write_velocity_plot(plot, folder.path / "velocity.svg");
   const std::string svg = read_text(folder.path / "velocity.svg");
   CHECK(has(svg, "</svg>"));
   for (const char *text : {"time / µs", "projectile velocity / (m/s)", "Weldox_460 E, 12 mm", "computed",
                            "measured residual velocity: 199.7 m/s"})
     CHECK(has(svg, text));
   CHECK(count_files(folder.path) == 2);
-  write_velocity_plot(history, folder.path / "velocity.svg");
+  write_velocity_plot({"", {{history}}}, folder.path / "velocity.svg");
   CHECK_FALSE(has(read_text(folder.path / "velocity.svg"), "measured"));
+}
+
+TEST_CASE("the velocities of several histories become one plot") {
+  if (!gnuplot_available()) {
+    WARN("skipped: there is no gnuplot");
+    return;
+  }
+  const TemporaryFolder folder;
+  const auto first = sample_history(folder.path, "a.csv"), second = sample_history(folder.path, "b.csv");
+  write_velocity_plot({"two shots", {{first, "12 mm"}, {second, "16 mm"}}}, folder.path / "both.svg");
+  const std::string svg = read_text(folder.path / "both.svg");
+  for (const char *text : {"two shots", "12 mm", "16 mm"}) CHECK(has(svg, text));
+  CHECK_FALSE(has(svg, "computed"));
 }
 
 TEST_CASE("names and titles are data to gnuplot, never commands") {
@@ -50,20 +63,20 @@ TEST_CASE("names and titles are data to gnuplot, never commands") {
   }
   const TemporaryFolder folder;
   const auto history = sample_history(folder.path, "it's; `touch x` \"$HOME\".csv");
-  VelocityPlot plot;
+  VelocityPlot plot{"", {{history}}};
   plot.title = "'; system('touch " + (folder.path / "broken_in").string() + "'); '`id` <b>";
-  write_velocity_plot(history, folder.path / "o'clock & \\n.svg", plot);
+  write_velocity_plot(plot, folder.path / "o'clock & \\n.svg");
   CHECK(has(read_text(folder.path / "o'clock & \\n.svg"), "</svg>"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "broken_in"));
   const auto here = std::filesystem::current_path();
   std::filesystem::current_path(folder.path);
   const auto piped = sample_history("", "< touch broken_in");
-  CHECK_NOTHROW(write_velocity_plot(piped, "| touch broken_in"));
+  CHECK_NOTHROW(write_velocity_plot({"", {{piped}}}, "| touch broken_in"));
   std::filesystem::current_path(here);
   CHECK(std::filesystem::exists(folder.path / "| touch broken_in"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "broken_in"));
   plot.title = "two\nlines";
-  CHECK_THROWS_AS(write_velocity_plot(history, folder.path / "a.svg", plot), SetupError);
+  CHECK_THROWS_AS(write_velocity_plot(plot, folder.path / "a.svg"), ogive::SetupError);
 }
 
 TEST_CASE("digits that follow other characters stay digits in names and titles") {
@@ -75,9 +88,9 @@ TEST_CASE("digits that follow other characters stay digits in names and titles")
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path / "6+6mm");
   const auto history = sample_history(folder.path / "6+6mm");
-  VelocityPlot plot;
+  VelocityPlot plot{"", {{history}}};
   plot.title = "6+6 mm (20 mm apart)";
-  write_velocity_plot(history, folder.path / "6+6mm" / "velocity.svg", plot);
+  write_velocity_plot(plot, folder.path / "6+6mm" / "velocity.svg");
   CHECK(has(read_text(folder.path / "6+6mm" / "velocity.svg"), plot.title));
 }
 
@@ -88,22 +101,23 @@ TEST_CASE("a history without the columns, or none, is refused") {
   CHECK(csv_column(history, "velocity_m_per_s") == 3);
   CHECK_THROWS_WITH(csv_column(history, "time"),
                     history.string() + " column = time: must be one of step,time_us,velocity_m_per_s");
-  CHECK_THROWS_AS(write_velocity_plot(folder.path / "none.csv", folder.path / "a.svg"), SetupError);
+  CHECK_THROWS_AS(write_velocity_plot({"", {{folder.path / "none.csv"}}}, folder.path / "a.svg"), ogive::SetupError);
 }
 
 TEST_CASE("a plot that gnuplot cannot draw leaves the old one") {
   const TemporaryFolder folder;
   const auto history = sample_history(folder.path);
   const auto empty = folder.path / "empty.csv";
-  { const auto csv = continue_csv(empty, {"time_us", "velocity_m_per_s"}); }
-  write_atomically(folder.path / "old.svg", "old");
-  CHECK_THROWS_AS(write_velocity_plot(empty, folder.path / "old.svg"), WriteError);
+  { const auto csv = ogive::continue_csv(empty, {"time_us", "velocity_m_per_s"}); }
+  ogive::write_atomically(folder.path / "old.svg", "old");
+  CHECK_THROWS_AS(write_velocity_plot({"", {{empty}}}, folder.path / "old.svg"), ogive::WriteError);
   CHECK(read_text(folder.path / "old.svg") == "old");
-  CHECK_THROWS_AS(write_velocity_plot(history, folder.path / "gone" / "a.svg"), WriteError);
+  CHECK_THROWS_AS(write_velocity_plot({"", {{history}}}, folder.path / "gone" / "a.svg"), ogive::WriteError);
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", folder.path.c_str(), 1);
   CHECK_FALSE(gnuplot_available());
-  CHECK_THROWS_WITH(write_velocity_plot(history, folder.path / "old.svg"), Catch::Contains("gnuplot is not installed"));
+  CHECK_THROWS_WITH(write_velocity_plot({"", {{history}}}, folder.path / "old.svg"),
+                    Catch::Contains("gnuplot is not installed"));
   ::setenv("PATH", path.c_str(), 1);
   CHECK(count_files(folder.path) == 3);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ogive/io/section_panel.hpp"
+#include "draw/section.hpp"
 
-#include "io/png_pixels.hpp"
+#include "draw/png_pixels.hpp"
 #include "io/sample_frame.hpp"
 #include "io/temporary_folder.hpp"
 
 #include "catch.hpp"
 
-using namespace ogive;
+using namespace draw;
 
 namespace {
 
@@ -28,7 +28,7 @@ SectionPanel small_panel() {
   return panel;
 }
 
-bool overlap(const PageBox &a, const PageBox &b) {
+bool overlap(const Box &a, const Box &b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
@@ -36,14 +36,14 @@ bool overlap(const PageBox &a, const PageBox &b) {
 PixelColour colour_at(vtkImageData *image, const SectionPanel &panel, std::size_t count, std::size_t k, double x_mm,
                       double z_mm) {
   const PanelLayout layout = panel_layout(count, panel);
-  const PageBox &cell = layout.cells[k];
+  const Box &cell = layout.cells[k];
   const double middle = (panel.low_mm + panel.high_mm) / 2;
   return pixel(image, cell.x + cell.width / 2 + layout.pixels_per_mm * x_mm,
                cell.y + cell.height / 2 + layout.pixels_per_mm * (z_mm - middle));
 }
 
 /// How many pixels of a box are not white.
-int inked(vtkImageData *image, const PageBox &box) {
+int inked(vtkImageData *image, const Box &box) {
   int count = 0;
   for (double x = std::ceil(box.x); x < std::floor(box.x + box.width); ++x)
     for (double y = std::ceil(box.y); y < std::floor(box.y + box.height); ++y) count += !white(pixel(image, x, y));
@@ -66,13 +66,13 @@ TEST_CASE("sections, labels, title, colours and scale bar of a panel do not over
         CHECK(layout.width <= panel.width);
         CHECK(layout.height <= panel.height);
         CHECK(layout.bar.height > 5 * layout.font_size);
-        std::vector<PageBox> boxes = layout.cells;
+        std::vector<Box> boxes = layout.cells;
         boxes.insert(boxes.end(), layout.labels.begin(), layout.labels.end());
         boxes.insert(boxes.end(), {layout.bar, layout.scale, layout.title});
         REQUIRE(boxes.size() == 2 * count + 3);
         int wrong = 0;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
-          const PageBox &box = boxes[i];
+          const Box &box = boxes[i];
           wrong += box.x < 0 || box.y < 0 || box.width <= 0 || box.height <= 0 ||
                    box.x + box.width > layout.width + 1e-9 || box.y + box.height > layout.height + 1e-9;
           for (std::size_t j = 0; j < i; ++j) wrong += overlap(box, boxes[j]);
@@ -95,7 +95,7 @@ TEST_CASE("a panel that cannot be drawn is refused") {
   const auto refuse = [&](const std::vector<PanelCell> &sections, auto &&spoil) {
     SectionPanel panel = small_panel();
     spoil(panel);
-    CHECK_THROWS_AS(render_panel(sections, folder.path / "a.png", panel), SetupError);
+    CHECK_THROWS_AS(render_panel(sections, folder.path / "a.png", panel), ogive::SetupError);
   };
   refuse({}, [](SectionPanel &) {});
   refuse(cells(1), [](SectionPanel &panel) { panel.width = 10; });
@@ -104,15 +104,11 @@ TEST_CASE("a panel that cannot be drawn is refused") {
   refuse(cells(1), [](SectionPanel &panel) { panel.columns = -1; });
   refuse(cells(1), [](SectionPanel &panel) { panel.style.largest = panel.style.smallest; });
   refuse(cells(1), [](SectionPanel &panel) { panel.style.field = "heat"; });
-  CHECK_THROWS_AS(panel_layout(100, SectionPanel{.columns = 100, .width = 400}), SetupError);
+  CHECK_THROWS_AS(panel_layout(100, SectionPanel{.columns = 100, .width = 400}), ogive::SetupError);
   CHECK(count_files(folder.path) == 0);
 }
 
 TEST_CASE("a panel shows each section with both halves, at one scale, and what stands around them") {
-  if (!display_available()) {
-    WARN("skipped: there is no display");
-    return;
-  }
   const TemporaryFolder folder;
   const auto path = folder.path / "panel.png";
   const SectionPanel panel = small_panel();
@@ -145,10 +141,10 @@ TEST_CASE("a panel shows each section with both halves, at one scale, and what s
 
 TEST_CASE("text is made smaller until it fits") {
   const std::string text = "(a) weldox_460e_mjc_blunt_12mm_303.5mps";
-  const double width = page_text_width(text, 30);
+  const double width = text_width(text, 30);
   CHECK(width > 300);
   CHECK(fitting_size(text, 30, width + 1) == 30);
   const int size = fitting_size(text, 30, width / 2);
   CHECK(size < 16);
-  CHECK(page_text_width(text, size) < 1.1 * width / 2);
+  CHECK(text_width(text, size) < 1.1 * width / 2);
 }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// \file
+/// Plots drawn by gnuplot, which is called without a shell.
+
+namespace draw {
+
+/// Whether gnuplot can be run.
+bool gnuplot_available();
+
+/// `text` as a string of gnuplot's that stands for itself. Throws ogive::SetupError if it holds a line end or a NUL.
+std::string gnuplot_quoted(const std::string &text);
+
+/// The name of a file as a string of gnuplot's. Absolute, because gnuplot takes a name that begins with '<' or '|' for
+/// a command.
+std::string gnuplot_file(const std::filesystem::path &file);
+
+/// A colour of gnuplot's for the curve number `k`: eight that can be told apart (Okabe & Ito 2008), then again.
+std::string gnuplot_colour(std::size_t k);
+
+/// Width and height of a picture in pixels.
+struct PictureSize {
+  int width = 900;  ///< pixels
+  int height = 600; ///< pixels
+};
+
+/// Draws what `commands` (one line of gnuplot's: settings and a plot) say as `picture`, in place of an old one: a PNG
+/// if its name ends so, else an SVG. Throws ogive::WriteError if gnuplot is missing or fails, or the file cannot be
+/// written; the old one stays then.
+void draw_with_gnuplot(const std::string &commands, const std::filesystem::path &picture, PictureSize size = {});
+
+/// Number of the column `name`, from 1, in the first line of a CSV file. Throws ogive::SetupError if there is none.
+int csv_column(const std::filesystem::path &file, const std::string &name);
+
+/// A history in CSV, with the columns time_us and velocity_m_per_s, and its name in the legend.
+struct VelocityCurve {
+  std::filesystem::path history;
+  std::string name = "computed";
+};
+
+/// The projectile's velocity against time, of one or several runs.
+struct VelocityPlot {
+  std::string title; ///< none if empty
+  std::vector<VelocityCurve> curves;
+  std::optional<double> measured_residual_m_per_s{}; ///< a horizontal line if given
+};
+
+/// Draws the plot as an SVG or PNG. Throws ogive::SetupError if a history cannot be read or lacks a column,
+/// ogive::WriteError as draw_with_gnuplot() does.
+void write_velocity_plot(const VelocityPlot &plot, const std::filesystem::path &picture);
+
+} // namespace draw
