@@ -78,18 +78,6 @@ std::string case_text(Options o) {
 
 } // namespace
 
-bool has_case(const Options &o, const Plates &plates) {
-  const auto holds = [&](const char *name, const std::string &text) {
-    std::ifstream file(o.out / name, std::ios::binary);
-    return file && std::string{std::istreambuf_iterator<char>(file), {}} == text;
-  };
-  bool all = holds("case.toml", case_text(o));
-  const auto names = material_names(o);
-  for (std::size_t k = 0; k < names.size(); ++k)
-    all = all && holds(names[k].c_str(), material_text(materials_of(o)[k], plates[k]));
-  return all;
-}
-
 void start_results(const Options &o, const Plates &plates) {
   std::error_code ignored;
   remove_leftovers(o.out), remove_leftovers(o.out / "frames");

@@ -16,9 +16,6 @@ struct Files {
   ogive::VtkSeries series;
 };
 
-/// True if case and metals in the folder of the results are these: what lies there belongs to this run.
-bool has_case(const Options &options, const Plates &plates);
-
 /// Writes material.toml (material_1.toml and so on for plates of several metals) and case.toml and removes the results
 /// of an earlier run from the folder; its checkpoint gets another name, unless this run goes on from it. A material
 /// file that the user has there under that name is left as it is. Throws WriteError.

@@ -38,16 +38,6 @@ std::optional<double> dishing_at_rest_mm(const Result &shot) {
 
 double residual_mps(const Result &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
 
-Result run_model(const Options &options, const Plates &plates) {
-  return std::visit(
-      [&]<class M>(const M &) {
-        std::vector<M> metals;
-        for (const auto &plate : plates) metals.push_back(std::get<M>(plate));
-        return run_model(options, metals);
-      },
-      plates.front());
-}
-
 namespace {
 
 double peak_memory_mb() {

@@ -84,9 +84,7 @@ std::optional<double> dishing_at_rest_mm(const Result &shot);
 /// be built or a checkpoint that does not fit it, WriteError for a file that cannot be written.
 Result run_model(const Options &options, const Plates &plates);
 
-/// The parts of run_model(), one for each flow law so that they compile side by side.
-Result run_model(const Options &options,
-                 const std::vector<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>> &plates);
-Result run_model(const Options &options, const std::vector<ogive::Metal<double, ogive::JohnsonCook<double>>> &plates);
+/// Prints what is about to be computed, unless the options are quiet.
+void announce(const Options &options, const Result &shot);
 
 } // namespace shot

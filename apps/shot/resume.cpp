@@ -84,4 +84,24 @@ Options resumed(const Options &options) {
   }
 }
 
+std::optional<std::string> other_case(const Options &options) {
+  const auto file = options.out / "case.toml";
+  try {
+    Options mine = options, theirs;
+    const auto entries =
+        options::entries_of(table_of(theirs), options::text_of_file(file, "case"), file.string(), toml_example);
+    theirs = settled({{entries, options.out}});
+    const auto here = table_of(mine).options, there = table_of(theirs).options;
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      const std::string key = here[k].key;
+      const bool of_metal = key == "material" || key == "layer_materials";
+      const bool counts = key == "end_us" || key == "settle_us" || here[k].group != run_group;
+      if (counts && !of_metal && here[k].toml() != there[k].toml()) return key;
+    }
+    return metals_text(mine, plates_of(mine)) == metals_text(theirs, plates_of(theirs)) ? "" : "material";
+  } catch (const ogive::SetupError &) {
+    return std::nullopt;
+  }
+}
+
 } // namespace shot

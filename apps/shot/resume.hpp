@@ -17,4 +17,8 @@ Options restarted(const std::string &file, const std::vector<options::Given> &gi
 /// end. Else those given. Threads, picture and terminal may differ; frames may not, those of before would be missing.
 Options resumed(const Options &options);
 
+/// What of the case in the results of `options.out` is not that of these options: "thickness_mm", "material"; empty if
+/// it is the same, nothing if there is no case that can be read.
+std::optional<std::string> other_case(const Options &options);
+
 } // namespace shot

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study.hpp"
 
-#include "shot/files.hpp"
 #include "shot/report.hpp"
 #include "shot/resume.hpp"
 #include "shot/run.hpp"
@@ -65,7 +64,7 @@ void note_failure(Work &w, const Case &shot, const std::string &reason) {
 /// The row that an earlier run of this very case left without a line in the file; false if there is none.
 bool keeps_earlier_row(Work &w, const Case &shot) {
   try {
-    if (!has_frames(w.study, shot) || !shot::has_case(shot.options, shot::plates_of(shot.options))) return false;
+    if (!has_frames(w.study, shot)) return false;
     const fs::path folder = folder_of(w.study, shot);
     keep(w, shot, row_of(shot.key, read_summary(folder), (folder / "summary.json").string()));
     return true;
@@ -80,7 +79,12 @@ void run_case(Work &w, const Case &shot) {
     const std::lock_guard lock(w.mutex);
     return find_row(w.rows, shot.key) != nullptr;
   }();
-  if (known || keeps_earlier_row(w, shot)) {
+  const auto other = shot::other_case(shot.options);
+  if (other && !other->empty())
+    return note_failure(w, shot,
+                        "the results in " + shot.options.out.string() + " are of a case with another " + *other +
+                            "; give another --out or remove them");
+  if (known || (other && keeps_earlier_row(w, shot))) {
     const std::lock_guard lock(w.mutex);
     ++w.outcome.known;
     return;

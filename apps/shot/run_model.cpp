@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
-
 #include "files.hpp"
 #include "keeper.hpp"
 #include "progress.hpp"
@@ -15,6 +13,11 @@
 #include <cmath>
 
 namespace shot {
+
+namespace {
+
+using AnyLaw = ogive::AnyJohnsonCook<double>;
+using Metals = std::vector<ogive::Metal<double, AnyLaw>>;
 
 /// What the projectile's mesh and the plate's particles amount to.
 template <class M> Sizes sizes_of(const M &model) {
@@ -31,9 +34,6 @@ template <class M> Sizes sizes_of(const M &model) {
   s.time_step_us = ogive::stable_time_step(model) * 1e6;
   return s;
 }
-
-/// Prints what is about to be computed.
-void announce(const Options &options, const Result &shot);
 
 /// Restores model, run, shot and course from the checkpoint of the options. Throws SetupError.
 template <class M>
@@ -66,7 +66,7 @@ void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::Proj
 }
 
 /// Adds a sample of the plate's dishing to its swing (trapezoidal rule).
-inline void add_sample(Swing &swing, double time_us, double dishing_mm) {
+void add_sample(Swing &swing, double time_us, double dishing_mm) {
   if (swing.begun_us < 0)
     swing.begun_us = time_us;
   else
@@ -76,16 +76,23 @@ inline void add_sample(Swing &swing, double time_us, double dishing_mm) {
 }
 
 /// "weldox_460e", or "weldox_460e + aa5083_h116".
-template <class Law> std::string name_of(const std::vector<ogive::Metal<double, Law>> &plates) {
+std::string name_of(const Metals &plates) {
   std::string names = plates.front().name;
   const bool same = std::all_of(plates.begin(), plates.end(), [&](const auto &p) { return p.name == names; });
   for (std::size_t k = 1; k < plates.size() && !same; ++k) names += " + " + plates[k].name;
   return names;
 }
 
-/// Runs a case with the kernel, form and hexes chosen at compile time.
-template <class Kernel, class Form, class Rule, class Law>
-Result run_with(const Options &options, const std::vector<ogive::Metal<double, Law>> &plates) {
+/// Kernel, form and rule of the options.
+ogive::AnyDiscretisation discretisation_of(const Options &o) {
+  ogive::AnyDiscretisation parts;
+  if (o.kernel == SphKernel::wendland_c2) parts.kernel = ogive::WendlandC2{};
+  if (o.form == SphForm::standard) parts.form = ogive::StandardForm{};
+  if (o.element == ElementRule::selective_reduced) parts.rule = ogive::SelectiveReduced{};
+  return parts;
+}
+
+ogive::PerforationOptions<double> numerics_of(const Options &options) {
   auto numerics = ogive::options_of<double>(options.method);
   numerics.sph.control.stiffness = options.control_stiffness;
   numerics.sph.damage_pressure = options.damage_pressure;
@@ -93,13 +100,21 @@ Result run_with(const Options &options, const std::vector<ogive::Metal<double, L
   numerics.sph.linear_viscosity = options.linear_viscosity;
   numerics.sph.quadratic_viscosity = options.quadratic_viscosity;
   numerics.sph.variable_smoothing = options.smoothing == Smoothing::variable;
+  return numerics;
+}
+
+} // namespace
+
+Result run_model(const Options &options, const Plates &metals) {
+  Metals plates;
+  for (const auto &any : metals)
+    std::visit([&](const auto &metal) { plates.push_back(ogive::with_law<AnyLaw>(metal)); }, any);
   const auto c = to_case(options);
-  auto model =
-      ogive::make_perforation<Kernel, Form, Rule>(c, plates, ogive::library::arne_tool_steel<double>(), numerics);
+  auto model = ogive::make_perforation(c, plates, ogive::library::arne_tool_steel<double>(), numerics_of(options),
+                                       discretisation_of(options));
   const auto &shape = c.projectile;
   std::vector<std::vector<ogive::Vec3<double>>> undeformed;
   for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::plate_positions(model, k));
-  const Plates metals(plates.begin(), plates.end());
 
   Result shot;
   shot.material = name_of(plates);
@@ -178,20 +193,6 @@ Result run_with(const Options &options, const std::vector<ogive::Metal<double, L
   shot.times = model.times;
   shot.last_frame = ogive::gather_frame(model);
   return shot;
-}
-
-/// Runs a case: the choices of kernel, form and hexes become types here.
-template <class Law> Result run_metals(const Options &o, const std::vector<ogive::Metal<double, Law>> &plates) {
-  const auto with_rule = [&]<class Kernel, class Form>() {
-    return o.element == ElementRule::one_point ? run_with<Kernel, Form, ogive::OnePoint>(o, plates)
-                                               : run_with<Kernel, Form, ogive::SelectiveReduced>(o, plates);
-  };
-  const auto with_form = [&]<class Kernel>() {
-    return o.form == SphForm::renormalised ? with_rule.template operator()<Kernel, ogive::RenormalisedForm>()
-                                           : with_rule.template operator()<Kernel, ogive::StandardForm>();
-  };
-  return o.kernel == SphKernel::cubic_spline ? with_form.template operator()<ogive::CubicSpline>()
-                                             : with_form.template operator()<ogive::WendlandC2>();
 }
 
 } // namespace shot
