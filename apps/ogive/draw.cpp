@@ -34,8 +34,8 @@ constexpr double last_time = std::numeric_limits<double>::infinity();
 
 enum class Colour { plastic_strain, temperature };
 auto choices(Colour) {
-  return std::array<options::Choice<Colour>, 2>{
-      {{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}}};
+  return std::to_array<options::Choice<Colour>>(
+      {{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}});
 }
 
 /// One picture, in the units that the names say. What is unset follows from the results that are drawn.
@@ -149,8 +149,8 @@ Table table_of(Options &o) {
                      .allowed = "one of quarter, half, full"};
   add_option(table, extent, options::Kind::choice, "NAME").assign = [&o](const Given &given) {
     using ogive::Extent;
-    o.extent = choice_given(given, std::array<options::Choice<Extent>, 3>{
-                                       {{Extent::quarter, "quarter"}, {Extent::half, "half"}, {Extent::full, "full"}}});
+    o.extent = choice_given(given, std::to_array<options::Choice<Extent>>(
+                                       {{Extent::quarter, "quarter"}, {Extent::half, "half"}, {Extent::full, "full"}}));
   };
   add(table, o.label,
       {.key = "label",
@@ -346,12 +346,12 @@ void draw_mesh(const Options &o) {
 
 const options::Command command{
     .name = "ogive draw",
-    .purpose = "Draws sections of results on one page, all at the same scale and with the same colours; or velocities\n"
-               "against time; or the paper's projectiles; or the model before the shot.\n",
-    .usage = "--series FOLDER... | --velocity FOLDER... | --projectiles | --mesh FOLDER  --out FILE.png [options]",
+    .purpose = "Draws sections of results on one page, all at the same scale and with the same colours;\n"
+               "or velocities against time; or the paper's projectiles; or the model before the shot.\n",
+    .usage = "--series|--velocity|--mesh FOLDER... --out FILE.png [options]",
     .examples =
         "  ogive draw --series vtk_out/my_case --times-us 0,20,40,last --out sequence.png\n"
-        "  ogive draw --series vtk_out/blunt vtk_out/conical --label \"(a) blunt\" \"(b) conical\" --out both.png\n"
+        "  ogive draw --series vtk_out/blunt vtk_out/conical --label \"(a) blunt\" \"(b) conical\" --out two.png\n"
         "  ogive draw --velocity vtk_out/blunt vtk_out/conical --out velocities.svg\n",
     .more = "Exit status: 0 done; 2 wrong input; 3 the picture could not be drawn or written; 1 anything else.\n"};
 
