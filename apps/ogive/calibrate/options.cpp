@@ -72,115 +72,78 @@ const options::Command command{
 
 } // namespace
 
+// clang-format off
 Table table_of(Options &o) {
   constexpr Limits rate{1e-9, 1e9, "1/s"}, strain{0, 10, ""}, kelvin{1, 10000, "K"};
-  const char *const no_material = "no material.toml";
+  const char *const no_material = "no material.toml", *const heating = "for the heating of fast tests";
   Table table;
   table.group = "Tests";
-  add(table, o.data,
-      {.key = "data",
-       .meaning = "tables of tensile curves in CSV: docs/calibration.md",
-       .source = "required",
-       .brief = "tables of tensile curves in CSV, required",
-       .allowed = "the names of CSV files"});
-  add(table, o.engineering,
-      {.key = "engineering", .meaning = "they hold engineering stress and strain; cut at necking, needs --young-GPa"});
-  auto &name = add(table, o.name,
-                   {.key = "name",
-                    .meaning = "of the metal",
-                    .source = "that of the first table",
-                    .brief = "of the metal",
-                    .allowed = "a name of letters, digits, _ - . and blanks"});
+  add(table, o.data, {.key = "data", .meaning = "tables of tensile curves in CSV: docs/calibration.md",
+      .source = "required", .brief = "tables of tensile curves in CSV, required",
+      .allowed = "the names of CSV files"});
+  add(table, o.engineering, {.key = "engineering",
+      .meaning = "they hold engineering stress and strain; cut at necking, needs --young-GPa"});
+  auto &name = add(table, o.name, {.key = "name", .meaning = "of the metal", .source = "that of the first table",
+      .brief = "of the metal", .allowed = "a name of letters, digits, _ - . and blanks"});
   name.assign = [&o, allowed = name.allowed_text](const Given &given) {
     o.name = line_given(given, allowed);
     if (!is_plain(o.name)) refuse(given, "must be " + allowed + ", at most 60, not a dot or blank first");
   };
 
   table.group = "Law";
-  add(table, o.model,
-      {.key = "model",
-       .meaning = "modified or classical Johnson-Cook; all laws are fitted, this one becomes material.toml",
-       .brief = "modified or classical Johnson-Cook law: mjc, jc"});
-  add(table, o.rate_factor,
-      {.key = "rate_factor", .meaning = "of the classical law: 1 + C ln(rate/reference) or (1 + rate/reference)^C"});
-  add(table, o.reference_rate_per_s,
-      {.key = "reference_rate_per_s",
-       .meaning = "of the classical law",
-       .source = "rate of the quasi-static curve",
-       .limits = rate});
+  add(table, o.model, {.key = "model",
+      .meaning = "modified or classical Johnson-Cook; all laws are fitted, this one becomes material.toml",
+      .brief = "modified or classical Johnson-Cook law: mjc, jc"});
+  add(table, o.rate_factor, {.key = "rate_factor",
+      .meaning = "of the classical law: 1 + C ln(rate/reference) or (1 + rate/reference)^C"});
+  add(table, o.reference_rate_per_s, {.key = "reference_rate_per_s", .meaning = "of the classical law",
+      .source = "rate of the quasi-static curve", .limits = rate});
   add(table, o.C, {.key = "C", .meaning = "known value", .source = "fitted", .limits = {-1, 1}});
-  add(table, o.b,
-      {.key = "b", .meaning = "known value (m of the classical law)", .source = "fitted", .limits = {0.01, 20}});
+  add(table, o.b, {.key = "b", .meaning = "known value (m of the classical law)", .source = "fitted",
+      .limits = {0.01, 20}});
 
   table.group = "Metal";
-  add(table, o.melting_K,
-      {.key = "melting_K",
-       .meaning = "melting temperature",
-       .source = "required",
-       .brief = "melting temperature, required",
-       .limits = kelvin});
-  add(table, o.density_kg_per_m3,
-      {.key = "density_kg_per_m3",
-       .meaning = "for the heating of fast tests",
-       .source = "required unless --isothermal",
-       .brief = "density, also --density; for fast tests",
-       .limits = {100, 30000, "kg/m3"},
-       .alias = "density"});
-  add(table, o.specific_heat_J_per_kgK,
-      {.key = "specific_heat_J_per_kgK",
-       .meaning = "for the heating of fast tests",
-       .source = "required unless --isothermal",
-       .brief = "also --specific-heat; for fast tests",
-       .limits = {1, 20000, "J/(kg K)"},
-       .alias = "specific-heat"});
-  add(table, o.room_K,
-      {.key = "room_K", .meaning = "room temperature; tests within 10 K of it count as being there", .limits = kelvin});
+  add(table, o.melting_K, {.key = "melting_K", .meaning = "melting temperature", .source = "required",
+      .brief = "melting temperature, required", .limits = kelvin});
+  add(table, o.density_kg_per_m3, {.key = "density_kg_per_m3", .meaning = heating,
+      .source = "required unless --isothermal", .brief = "density, also --density; for fast tests",
+      .limits = {100, 30000, "kg/m3"}, .alias = "density"});
+  add(table, o.specific_heat_J_per_kgK, {.key = "specific_heat_J_per_kgK", .meaning = heating,
+      .source = "required unless --isothermal", .brief = "also --specific-heat; for fast tests",
+      .limits = {1, 20000, "J/(kg K)"}, .alias = "specific-heat"});
+  add(table, o.room_K, {.key = "room_K", .meaning = "room temperature; tests within 10 K of it count as being there",
+      .limits = kelvin});
   add(table, o.beta, {.key = "beta", .meaning = "fraction of plastic work that heats", .limits = {0, 1}});
-  add(table, o.young_GPa,
-      {.key = "young_GPa",
-       .meaning = "Young's modulus",
-       .source = no_material,
-       .brief = "Young's modulus, for material.toml",
-       .limits = {0.1, 2000, "GPa"}});
-  add(table, o.poisson,
-      {.key = "poisson",
-       .meaning = "Poisson's ratio",
-       .source = no_material,
-       .brief = "Poisson's ratio, for material.toml",
-       .limits = {0, 0.495}});
+  add(table, o.young_GPa, {.key = "young_GPa", .meaning = "Young's modulus", .source = no_material,
+      .brief = "Young's modulus, for material.toml", .limits = {0.1, 2000, "GPa"}});
+  add(table, o.poisson, {.key = "poisson", .meaning = "Poisson's ratio", .source = no_material,
+      .brief = "Poisson's ratio, for material.toml", .limits = {0, 0.495}});
 
   table.group = "Fit";
   add(table, o.isothermal, {.key = "isothermal", .meaning = "no test heats itself", .brief = "no test heats itself"});
-  add(table, o.adiabatic_above_per_s,
-      {.key = "adiabatic_above_per_s", .meaning = "rate from which a test keeps its heat", .limits = rate});
-  add(table, o.rate_window_from,
-      {.key = "rate_window_from", .meaning = "plastic strain from which C is taken", .limits = strain});
+  add(table, o.adiabatic_above_per_s, {.key = "adiabatic_above_per_s",
+      .meaning = "rate from which a test keeps its heat", .limits = rate});
+  add(table, o.rate_window_from, {.key = "rate_window_from", .meaning = "plastic strain from which C is taken",
+      .limits = strain});
   add(table, o.rate_window_to, {.key = "rate_window_to", .meaning = "and to which", .limits = strain});
-  add(table, o.thermal_window_from,
-      {.key = "thermal_window_from", .meaning = "plastic strain from which b is taken", .limits = strain});
+  add(table, o.thermal_window_from, {.key = "thermal_window_from", .meaning = "plastic strain from which b is taken",
+      .limits = strain});
   add(table, o.thermal_window_to, {.key = "thermal_window_to", .meaning = "and to which", .limits = strain});
-  add(table, o.leave_out_from_K,
-      {.key = "leave_out_from_K",
-       .meaning = "tests between this and --leave-out-to-K do not count: blue brittleness",
-       .limits = kelvin});
+  add(table, o.leave_out_from_K, {.key = "leave_out_from_K",
+      .meaning = "tests between this and --leave-out-to-K do not count: blue brittleness", .limits = kelvin});
   add(table, o.leave_out_to_K, {.key = "leave_out_to_K", .meaning = "see --leave-out-from-K", .limits = kelvin});
-  add(table, o.simultaneous,
-      {.key = "simultaneous", .meaning = "afterwards fit all parameters at once to all tests, robustly"});
+  add(table, o.simultaneous, {.key = "simultaneous",
+      .meaning = "afterwards fit all parameters at once to all tests, robustly"});
 
   table.group = "Output";
-  add(table, o.predict_rates_per_s,
-      {.key = "predict_rates_per_s",
-       .meaning = "rates in prediction.svg, at room temperature",
-       .source = "those of the tests",
-       .limits = rate});
-  add(table, o.out,
-      {.key = "out",
-       .meaning = "folder for the results",
-       .source = "calibration_out/NAME",
-       .brief = "folder for the results"});
+  add(table, o.predict_rates_per_s, {.key = "predict_rates_per_s",
+      .meaning = "rates in prediction.svg, at room temperature", .source = "those of the tests", .limits = rate});
+  add(table, o.out, {.key = "out", .meaning = "folder for the results", .source = "calibration_out/NAME",
+      .brief = "folder for the results"});
   add(table, o.plots, {.key = "plots", .meaning = "draw the pictures"});
   return table;
 }
+// clang-format on
 
 ogive::FlowForm form_of(const Options &o) {
   if (o.model == FlowModel::mjc) return ogive::FlowForm::modified;
