@@ -19,11 +19,9 @@ write_basic_package_version_file(ogive-config-version.cmake COMPATIBILITY SameMi
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ogive-config.cmake" "${CMAKE_CURRENT_BINARY_DIR}/ogive-config-version.cmake"
         DESTINATION "${package_dir}")
 
-foreach(program IN ITEMS perforate calibrate)
-  if(TARGET ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  endif()
-endforeach()
+if(TARGET perforate)
+  install(TARGETS perforate RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
 
 # Where perforate looks for the tests that a shot is compared with.
 file(GLOB tables apps/data/*.csv)

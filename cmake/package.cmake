@@ -18,6 +18,6 @@ hexahedra elsewhere, a modified Johnson-Cook law for the metal.")
 # which a user without pictures can do without.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ (>= 4:12), gnuplot-nox | gnuplot, xvfb, xauth, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ (>= 4:12), gnuplot-nox | gnuplot, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, cmake (>= 3.25), paraview")
 include(CPack)

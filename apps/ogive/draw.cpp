@@ -34,9 +34,12 @@ constexpr double last_time = std::numeric_limits<double>::infinity();
 
 enum class Colour { plastic_strain, temperature };
 auto choices(Colour) {
-  return std::array<options::Choice<Colour>, 2>{
-      {{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}}};
+  return std::to_array<options::Choice<Colour>>(
+      {{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}});
 }
+
+constexpr auto extents = std::to_array<options::Choice<ogive::Extent>>(
+    {{ogive::Extent::quarter, "quarter"}, {ogive::Extent::half, "half"}, {ogive::Extent::full, "full"}});
 
 /// One picture, in the units that the names say. What is unset follows from the results that are drawn.
 struct Options {
@@ -79,21 +82,16 @@ void add_numbers(Table &table, std::optional<std::array<double, count>> &value, 
   };
 }
 
+// clang-format off
 Table table_of(Options &o) {
   Table table;
   table.group = figures[0][0];
-  add(table, o.series,
-      {.key = "series",
-       .meaning = "results of ogive shoot; all times of the first, then of the next",
-       .brief = "draw sections of results",
-       .allowed = "folders with a .pvd file, or .pvd files"})
+  add(table, o.series, {.key = "series", .meaning = "results of ogive shoot; all times of the first, then of the next",
+      .brief = "draw sections of results", .allowed = "folders with a .pvd file, or .pvd files"})
       .placeholder = "FOLDER|FILE.pvd...";
-  const Entry times{.key = "times_us",
-                    .meaning = "times in us, or last; the frames nearest to them are drawn",
-                    .source = "last: the final state",
-                    .brief = "times in us, or last",
-                    .limits = {0, 1e6, "us"},
-                    .allowed = "times in us or last, separated by commas"};
+  const Entry times{.key = "times_us", .meaning = "times in us, or last; the frames nearest to them are drawn",
+      .source = "last: the final state", .brief = "times in us, or last", .limits = {0, 1e6, "us"},
+      .allowed = "times in us or last, separated by commas"};
   add_option(table, times, options::Kind::other, "T,T,...").assign = [&o, times](const Given &given) {
     o.times_us.clear();
     for (const Given &item : entries_given(given)) {
@@ -101,68 +99,51 @@ Table table_of(Options &o) {
       o.times_us.push_back(item.value == "last" ? last_time : number_within(item, times.limits));
     }
   };
-  add(table, o.columns,
-      {.key = "columns", .meaning = "of sections", .source = "up to 4: even rows", .limits = {1, 20}});
+  add(table, o.columns, {.key = "columns", .meaning = "of sections", .source = "up to 4: even rows",
+      .limits = {1, 20}});
   add(table, o.colour, {.key = "colour", .meaning = "what gives the colour", .brief = "what gives the colour"});
-  add_numbers(table, o.range, "LOW,HIGH",
-              {.key = "range",
-               .meaning = "values of the first and of the last colour",
-               .source = "0,1.5 or 300,900 K: strain or temperature",
-               .limits = {-1e6, 1e6},
-               .allowed = "two numbers separated by a comma, the lower first"},
-              [](const auto &v) { return v[0] < v[1]; });
-  add_numbers(table, o.view_mm, "ZMIN,ZMAX,RADIUS",
-              {.key = "view_mm",
-               .meaning = "what is seen; z = 0 is the plate's front face, the projectile flies towards -z",
-               .source = "22 mm in front of the plate, down to the plug, 28 mm on either side",
-               .limits = {-5000, 5000, "mm"},
-               .allowed = "three numbers separated by commas, the second at least 1 mm above the first, the third at "
-                          "least 1 mm"},
-              [](const auto &v) { return v[1] - v[0] >= 1 && v[2] >= 1; });
+  add_numbers(table, o.range, "LOW,HIGH", {.key = "range", .meaning = "values of the first and of the last colour",
+      .source = "0,1.5 or 300,900 K: strain or temperature", .limits = {-1e6, 1e6},
+      .allowed = "two numbers separated by a comma, the lower first"}, [](const auto &v) { return v[0] < v[1]; });
+  add_numbers(table, o.view_mm, "ZMIN,ZMAX,RADIUS", {.key = "view_mm",
+      .meaning = "what is seen; z = 0 is the plate's front face, the projectile flies towards -z",
+      .source = "22 mm in front of the plate, down to the plug, 28 mm on either side", .limits = {-5000, 5000, "mm"},
+      .allowed = "three numbers separated by commas, the second 1 mm or more above the first, the third 1 mm or more"},
+      [](const auto &v) { return v[1] - v[0] >= 1 && v[2] >= 1; });
   add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "thin lines between the hexes"});
 
   table.group = figures[1][0];
-  add(table, o.velocity,
-      {.key = "velocity",
-       .meaning = "results of ogive shoot: the projectile's velocity against time, all in one plot",
-       .brief = "plot velocity against time",
-       .allowed = "folders with a history.csv, or such files"})
+  add(table, o.velocity, {.key = "velocity",
+      .meaning = "results of ogive shoot: the projectile's velocity against time, all in one plot",
+      .brief = "plot velocity against time", .allowed = "folders with a history.csv, or such files"})
       .placeholder = "FOLDER|FILE.csv...";
-  add(table, o.measured_mps,
-      {.key = "measured_mps", .meaning = "residual velocity of a test, as a line", .limits = {0, 1e5, "m/s"}});
+  add(table, o.measured_mps, {.key = "measured_mps", .meaning = "residual velocity of a test, as a line",
+      .limits = {0, 1e5, "m/s"}});
 
   table.group = figures[2][0];
-  const char *const with_dimensions = "draw the paper's projectiles with their dimensions";
-  add(table, o.projectiles, {.key = "projectiles", .meaning = with_dimensions, .brief = with_dimensions});
+  add(table, o.projectiles, {.key = "projectiles", .meaning = "draw the paper's projectiles with their dimensions",
+      .brief = "draw the paper's projectiles with their dimensions"});
 
   table.group = figures[3][0];
-  add(table, o.mesh,
-      {.key = "mesh",
-       .meaning = "results of ogive mesh or shoot: the model before the shot",
-       .brief = "draw the model before the shot",
-       .allowed = "a folder with a .pvd file, or a .pvd file"})
+  add(table, o.mesh, {.key = "mesh", .meaning = "results of ogive mesh or shoot: the model before the shot",
+      .brief = "draw the model before the shot", .allowed = "a folder with a .pvd file, or a .pvd file"})
       .placeholder = "FOLDER|FILE.pvd";
 
   table.group = "Picture";
-  const Entry extent{.key = "extent",
-                     .meaning = "of results that do not say it themselves: quarter, half or full",
-                     .allowed = "one of quarter, half, full"};
+  const Entry extent{.key = "extent", .meaning = "of results that do not say it themselves: quarter, half or full",
+      .allowed = "one of quarter, half, full"};
   add_option(table, extent, options::Kind::choice, "NAME").assign = [&o](const Given &given) {
-    using ogive::Extent;
-    o.extent = choice_given(given, std::array<options::Choice<Extent>, 3>{
-                                       {{Extent::quarter, "quarter"}, {Extent::half, "half"}, {Extent::full, "full"}}});
+    o.extent = choice_given(given, extents);
   };
-  add(table, o.label,
-      {.key = "label",
-       .meaning = "below the sections or of the curves, one for each",
-       .source = "(a) time and velocity, or the folder: where there are several",
-       .brief = "names of sections or curves"});
+  add(table, o.label, {.key = "label", .meaning = "below the sections or of the curves, one for each",
+      .source = "(a) time and velocity, or the folder: where there are several",
+      .brief = "names of sections or curves"});
   add(table, o.title, {.key = "title", .meaning = "above the picture", .brief = "above the picture"});
-  add(table, o.out,
-      {.key = "out", .meaning = "the picture; .svg for plots and projectiles too", .brief = "the picture"})
-      .placeholder = "FILE.png";
+  add(table, o.out, {.key = "out", .meaning = "the picture; .svg for plots and projectiles too",
+      .brief = "the picture"}).placeholder = "FILE.png";
   return table;
 }
+// clang-format on
 
 /// The picture that is meant, as an index of `figures`; refuses options of others.
 std::size_t figure_of(const Table &table, const Options &o, const options::CommandLine &line) {
@@ -346,12 +327,12 @@ void draw_mesh(const Options &o) {
 
 const options::Command command{
     .name = "ogive draw",
-    .purpose = "Draws sections of results on one page, all at the same scale and with the same colours; or velocities\n"
-               "against time; or the paper's projectiles; or the model before the shot.\n",
-    .usage = "--series FOLDER... | --velocity FOLDER... | --projectiles | --mesh FOLDER  --out FILE.png [options]",
+    .purpose = "Draws sections of results on one page, all at the same scale and with the same colours;\n"
+               "or velocities against time; or the paper's projectiles; or the model before the shot.\n",
+    .usage = "--series|--velocity|--mesh FOLDER... --out FILE.png [options]",
     .examples =
         "  ogive draw --series vtk_out/my_case --times-us 0,20,40,last --out sequence.png\n"
-        "  ogive draw --series vtk_out/blunt vtk_out/conical --label \"(a) blunt\" \"(b) conical\" --out both.png\n"
+        "  ogive draw --series vtk_out/blunt vtk_out/conical --label \"(a) blunt\" \"(b) conical\" --out two.png\n"
         "  ogive draw --velocity vtk_out/blunt vtk_out/conical --out velocities.svg\n",
     .more = "Exit status: 0 done; 2 wrong input; 3 the picture could not be drawn or written; 1 anything else.\n"};
 

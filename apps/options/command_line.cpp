@@ -53,7 +53,12 @@ std::optional<CommandLine> read_command_line(const Command &command, const Table
   CommandLine line;
   Table table = original;
   if (command.config)
-    add(table, line.config, {.key = "config", .allowed = "the name of a TOML file", .in_file = false});
+    add(table, line.config,
+        {.key = "config",
+         .meaning = "a TOML file with options, its keys the flags with underscores; the command line overrides it",
+         .allowed = "the name of a TOML file",
+         .in_file = false})
+        .placeholder = "FILE.toml";
 
   CLI::App app;
   app.set_help_flag();

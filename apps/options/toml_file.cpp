@@ -14,9 +14,6 @@ namespace options {
 
 namespace {
 
-/// Larger files are no list of values; a device such as /dev/zero has no end.
-constexpr std::size_t largest_file = 1 << 20;
-
 std::string place(const std::string &file, const toml::source_region &source) {
   return file + ":" + std::to_string(source.begin.line);
 }
@@ -71,11 +68,13 @@ Given given_from(const std::vector<std::string_view> &lines, const std::string &
 
 } // namespace
 
-std::string text_of_file(const std::filesystem::path &name, const std::string &what) {
-  const std::string allowed = "must be a TOML file that can be read: ";
+std::string text_of_file(const std::filesystem::path &name, const std::string &what, const std::string &kind,
+                         std::size_t most_mebibytes) {
+  const std::string allowed = "must be a " + kind + " file ";
   const auto refuse_with = [&](int error) {
-    refuse(what, name.string(), allowed + std::generic_category().message(error));
+    refuse(what, name.string(), allowed + "that can be read: " + std::generic_category().message(error));
   };
+  const std::size_t largest_file = most_mebibytes << 20;
   const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
   if (!file) refuse_with(errno);
   std::string text;
@@ -85,7 +84,8 @@ std::string text_of_file(const std::filesystem::path &name, const std::string &w
     text.append(block.data(), got);
   }
   if (std::ferror(file.get())) refuse_with(errno);
-  if (text.size() > largest_file) refuse(what, name.string(), "must be a TOML file of at most 1 MiB");
+  if (text.size() > largest_file)
+    refuse(what, name.string(), allowed + "of at most " + std::to_string(most_mebibytes) + " MiB");
   return text;
 }
 

@@ -13,8 +13,10 @@
 
 namespace options {
 
-/// All of a file of at most 1 MiB. Throws SetupError "<what> = <name>: ...".
-std::string text_of_file(const std::filesystem::path &name, const std::string &what);
+/// All of a file of at most so many MiB; a device such as /dev/zero has no end. Throws SetupError
+/// "<what> = <name>: must be a <kind> file ...".
+std::string text_of_file(const std::filesystem::path &name, const std::string &what, const std::string &kind = "TOML",
+                         std::size_t most_mebibytes = 1);
 
 /// The entries of TOML text, ordered by key. A number's value is the text that stands there. Throws SetupError with
 /// file and line for damaged text; `example` is a line that would be right.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "calibrate/results.hpp"
+#include "ogive/calibrate/results.hpp"
 
 #include "catch.hpp"
 #include "fit/law_curves.hpp"
 #include "io/temporary_folder.hpp"
-#include "shared/input.hpp"
-#include "shared/material_file.hpp"
+#include "materials/material_file.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -14,20 +13,17 @@ using calibrate::Options;
 
 namespace {
 
-std::optional<Options> parse(std::vector<const char *> arguments, std::ostream &text) {
-  arguments.insert(arguments.begin(), "calibrate");
-  return calibrate::parse(static_cast<int>(arguments.size()), arguments.data(), text);
-}
+using Arguments = std::vector<std::string>;
 
-Options options_of(std::vector<const char *> arguments) {
+Options options_of(const Arguments &arguments) {
   std::ostringstream text;
-  return parse(std::move(arguments), text).value();
+  return calibrate::parse(arguments, text).value();
 }
 
-std::string refusal(const std::vector<const char *> &arguments) {
+std::string refusal(const Arguments &arguments) {
   std::ostringstream text;
   try {
-    parse(arguments, text);
+    calibrate::parse(arguments, text);
   } catch (const ogive::SetupError &error) {
     return error.what();
   }
@@ -35,9 +31,8 @@ std::string refusal(const std::vector<const char *> &arguments) {
 }
 
 /// Arguments of a complete calibration, and more.
-std::vector<const char *> complete(std::vector<const char *> more = {}) {
-  std::vector<const char *> all{"--data",    "a.csv", "--melting-K",     "1800",
-                                "--density", "7850",  "--specific-heat", "452"};
+Arguments complete(Arguments more = {}) {
+  Arguments all{"--data", "a.csv", "--melting-K", "1800", "--density", "7850", "--specific-heat", "452"};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -53,9 +48,9 @@ std::string table(bool engineering) {
   for (const auto &c : tests.curves)
     for (std::size_t i = 0; i < c.strain.size(); ++i) {
       const double total = c.strain[i] + c.stress[i] / 200e9;
-      text += input::shortest(c.rate) + "," + input::shortest(c.temperature) + "," +
-              input::shortest(engineering ? std::expm1(total) : c.strain[i]) + "," +
-              input::shortest(c.stress[i] * (engineering ? std::exp(-total) : 1) / 1e6) + "\n";
+      text += options::shortest(c.rate) + "," + options::shortest(c.temperature) + "," +
+              options::shortest(engineering ? std::expm1(total) : c.strain[i]) + "," +
+              options::shortest(c.stress[i] * (engineering ? std::exp(-total) : 1) / 1e6) + "\n";
     }
   return text;
 }
@@ -77,7 +72,7 @@ void check_steel(const ogive::Calibration &c, double epsilon) {
 } // namespace
 
 TEST_CASE("calibrate: defaults, short flags and lists") {
-  const Options o = options_of(complete({"--data", "b.csv", "c d.csv", "--predict-rates-per-s", "1,20", "300"}));
+  const Options o = options_of(complete({"--data", "b.csv", "c d.csv", "--predict-rates-per-s", "1,20,300"}));
   CHECK(o.data == std::vector<std::filesystem::path>{"a.csv", "b.csv", "c d.csv"});
   CHECK(o.predict_rates_per_s == std::vector<double>{1, 20, 300});
   CHECK(o.density_kg_per_m3 == 7850);
@@ -93,7 +88,7 @@ TEST_CASE("calibrate: defaults, short flags and lists") {
 
 TEST_CASE("calibrate: each bad argument is refused with one line") {
   struct Bad {
-    std::vector<const char *> arguments;
+    Arguments arguments;
     std::string message;
   };
   const std::vector<Bad> all{
@@ -103,7 +98,7 @@ TEST_CASE("calibrate: each bad argument is refused with one line") {
       {{"--data", "a.csv", "--melting-K", "1800", "--density", "7850"},
        "--specific-heat-J-per-kgK: is required unless --isothermal"},
       {complete({"--engineering"}), "--young-GPa: is required with --engineering"},
-      {complete({"--melting-K", "200"}), "--melting-K = 200: must lie above room temperature, 293 K"},
+      {complete({"--melting-K", "200"}), "--melting-K = 200: must be above --room-K, 293 K"},
       {complete({"--model", "MJC"}), "--model = MJC: must be one of mjc, jc"},
       {complete({"--beta", "2"}), "--beta = 2: must lie between 0 and 1"},
       {complete({"--C", "x"}), "--C = x: must be a number between -1 and 1"},
@@ -115,8 +110,9 @@ TEST_CASE("calibrate: each bad argument is refused with one line") {
       {complete({"--thermal-window-to", "0.01"}), "--thermal-window-to = 0.01: must be above --thermal-window-from"},
       {complete({"--leave-out-from-K", "400"}), "--leave-out-to-K: is required with --leave-out-from-K"},
       {complete({"--leave-out-from-K", "400", "--leave-out-to-K", "300"}), "--leave-out-to-K = 300: must be above"},
+      {complete({"--meltingK", "1800"}), "--meltingK: unknown option, the nearest is --melting-K"},
       {complete({"--name", "../x"}), "--name = ../x: must be a name of letters, digits"},
-      {complete({"--quiet"}), "--quiet: unknown option, calibrate --help lists what is allowed"},
+      {complete({"--quiet"}), "--quiet: unknown option; ogive calibrate --help-all lists what is allowed"},
       {complete({"--config", "no.toml"}), "--config = no.toml: must be a TOML file that can be read: No such file"},
   };
   for (const Bad &bad : all) {
@@ -132,23 +128,25 @@ TEST_CASE("calibrate: a TOML file gives the same, with arrays, and the command l
   const auto write = [&](const std::string &text) { std::ofstream(file) << text; };
   write("data = [\"a.csv\", \"b.csv\"]\nmelting_K = 1800\nisothermal = true\nC = 0.01\n"
         "predict_rates_per_s = [1, 2.5]\nplots = false\n");
-  const Options o = options_of({"--config", file.c_str(), "--predict-rates-per-s", "7"});
+  const Options o = options_of({"--config", file, "--predict-rates-per-s", "7"});
   CHECK(o.data.size() == 2);
   CHECK(o.C == 0.01);
   CHECK(o.predict_rates_per_s == std::vector<double>{7});
   CHECK_FALSE(o.plots);
-  CHECK(options_of({"--config", file.c_str()}).predict_rates_per_s == std::vector<double>{1, 2.5});
+  CHECK(options_of({"--config", file}).predict_rates_per_s == std::vector<double>{1, 2.5});
+  CHECK(options_of({"--config", file, "--data", "c.csv"}).data == std::vector<std::filesystem::path>{"c.csv"});
   write("melting_K = [1, 2]\n");
-  CHECK_THAT(refusal({"--config", file.c_str()}), Catch::StartsWith(file + ":1: melting_K = an array: must be"));
+  CHECK_THAT(refusal({"--config", file}), Catch::StartsWith(file + ":1: melting_K = an array: must be"));
   write("\ndata = [1]\n");
-  CHECK_THAT(refusal({"--config", file.c_str()}), Catch::StartsWith(file + ":2: data = 1: must be the names of CSV"));
+  CHECK_THAT(refusal({"--config", file}), Catch::StartsWith(file + ":2: data = 1: must be the names of CSV"));
   write("melting = 1800\n");
-  CHECK_THAT(refusal({"--config", file.c_str()}), Catch::StartsWith(file + ":1: melting = 1800: unknown key; allowed"));
+  CHECK_THAT(refusal({"--config", file}),
+             Catch::StartsWith(file + ":1: melting = 1800: unknown key, the nearest is melting_K; allowed"));
 }
 
 TEST_CASE("calibrate: help names every option and fits a terminal") {
   std::ostringstream text;
-  CHECK_FALSE(parse({"--help"}, text));
+  CHECK_FALSE(calibrate::parse({"--help-all"}, text));
   for (const char *flag : {"--data", "--engineering", "--C", "--b", "--simultaneous", "--leave-out-to-K", "--config"})
     CHECK(text.str().find(std::string("\n  ") + flag) != std::string::npos);
   std::istringstream lines(text.str());
@@ -159,9 +157,8 @@ TEST_CASE("calibrate: tables become fit.json, material.toml and tables for pictu
   const TemporaryFolder folder;
   std::ofstream(folder.path / "steel.csv") << table(false);
   const std::string data = (folder.path / "steel.csv").string(), out = folder.path.string();
-  auto o =
-      options_of({"--data", data.c_str(), "--melting-K", "1800", "--density", "7850", "--specific-heat", "452",
-                  "--young-GPa", "200", "--poisson", "0.33", "--out", out.c_str(), "--no-plots", "--simultaneous"});
+  auto o = options_of({"--data", data, "--melting-K", "1800", "--density", "7850", "--specific-heat", "452",
+                       "--young-GPa", "200", "--poisson", "0.33", "--out", out, "--no-plots", "--simultaneous"});
   const auto results = fit(o);
   // As in tests/fit/calibration.cpp.
   check_steel(results.chosen.steps.law, 1e-3);
@@ -187,8 +184,8 @@ TEST_CASE("calibrate: engineering curves give the same law up to necking") {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "steel.csv") << table(true);
   const std::string data = (folder.path / "steel.csv").string();
-  const auto results = fit(options_of({"--data", data.c_str(), "--melting-K", "1800", "--density", "7850",
-                                       "--specific-heat", "452", "--young-GPa", "200", "--engineering"}));
+  const auto results = fit(options_of({"--data", data, "--melting-K", "1800", "--density", "7850", "--specific-heat",
+                                       "452", "--young-GPa", "200", "--engineering"}));
   // The conversion is exact; the first point lies at plastic strain 0.002 and may be lost to round-off.
   check_steel(results.chosen.steps.law, 2e-3);
   CHECK_FALSE(results.messages.empty());

@@ -1,5 +1,5 @@
-# Runs the program with bad input: each must end with status 2, one line on stderr, and leave old results alone. Then with
-# good input. Needs -D CALIBRATE=<the program> -D DATA=<a table>.
+# Runs ogive calibrate with bad input: each must end with status 2, one line on stderr, and leave old results alone. Then with
+# good input. Needs -D OGIVE=<the program> -D DATA=<a table>.
 
 set(folder "${CMAKE_CURRENT_BINARY_DIR}/calibrate_bad_input")
 file(REMOVE_RECURSE "${folder}")
@@ -13,15 +13,16 @@ file(WRITE "${folder}/slow.csv"
 set(metal --melting-K 1800 --density 7850 --specific-heat 452)
 
 include("${CMAKE_CURRENT_LIST_DIR}/refused.cmake")
+set(calibrate "${OGIVE};calibrate")
 
-refuses("${CALIBRATE}" "--data: is required")
-refuses("${CALIBRATE}" "--data = missing.csv: must be a CSV file that can be read" --data missing.csv ${metal})
-refuses("${CALIBRATE}" "--data = old: must be a CSV file that can be read" --data old ${metal})
-refuses("${CALIBRATE}" "--data = /dev/zero: must be a CSV file of at most 256 MiB" --data /dev/zero ${metal})
-refuses("${CALIBRATE}" "bad.csv:2: stress_MPa = x: must be a finite number" --data bad.csv ${metal} --out old)
-refuses("${CALIBRATE}" "points for C = 0: needs two or more" --data slow.csv ${metal} --out old)
-refuses("${CALIBRATE}" "points for b = 0: needs two or more" --data slow.csv ${metal} --C 0.01 --out new)
-refuses("${CALIBRATE}" "--out = a_file: must be a folder" --data slow.csv ${metal} --out a_file)
+refuses("${calibrate}" "--data: is required")
+refuses("${calibrate}" "--data = missing.csv: must be a CSV file that can be read" --data missing.csv ${metal})
+refuses("${calibrate}" "--data = old: must be a CSV file that can be read" --data old ${metal})
+refuses("${calibrate}" "--data = /dev/zero: must be a CSV file of at most 256 MiB" --data /dev/zero ${metal})
+refuses("${calibrate}" "bad.csv:2: stress_MPa = x: must be a finite number" --data bad.csv ${metal} --out old)
+refuses("${calibrate}" "points for C = 0: needs two or more" --data slow.csv ${metal} --out old)
+refuses("${calibrate}" "points for b = 0: needs two or more" --data slow.csv ${metal} --C 0.01 --out new)
+refuses("${calibrate}" "--out = a_file: must be a folder" --data slow.csv ${metal} --out a_file)
 
 file(GLOB_RECURSE left RELATIVE "${folder}" "${folder}/*")
 if(NOT left STREQUAL "a_file;bad.csv;old/fit.json;slow.csv" OR EXISTS "${folder}/new")
@@ -33,7 +34,7 @@ if(NOT content STREQUAL "old")
 endif()
 
 execute_process(
-  COMMAND "${CALIBRATE}" --data "${DATA}" ${metal} --out new
+  COMMAND ${calibrate} --data "${DATA}" ${metal} --out new
   WORKING_DIRECTORY "${folder}"
   TIMEOUT 60
   RESULT_VARIABLE status

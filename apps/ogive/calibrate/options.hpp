@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "options/command_line.hpp"
+
 #include "ogive/fit/johnson_cook_form.hpp"
 
+#include <array>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
@@ -10,18 +13,24 @@
 #include <vector>
 
 /// \file
-/// What a user can choose for `calibrate`, from the command line and from a TOML file.
+/// What a user can choose for `ogive calibrate`, from the command line and from a TOML file.
 
 namespace calibrate {
 
 enum class FlowModel { mjc, jc };
 enum class RateTerm { logarithmic, power };
+inline auto choices(FlowModel) {
+  return std::to_array<options::Choice<FlowModel>>({{FlowModel::mjc, "mjc"}, {FlowModel::jc, "jc"}});
+}
+inline auto choices(RateTerm) {
+  return std::to_array<options::Choice<RateTerm>>({{RateTerm::logarithmic, "logarithmic"}, {RateTerm::power, "power"}});
+}
 
 /// One calibration, in the units that the names say. What is unset has no default, or one that follows from the tests.
 struct Options {
   std::vector<std::filesystem::path> data; ///< tables of tensile curves
   bool engineering = false;                ///< they hold engineering stress and strain
-  std::string name = "metal";              ///< parse() takes the first table's where none is given
+  std::string name;                        ///< of the metal; parse() takes the first table's where none is given
 
   FlowModel model = FlowModel::mjc;
   RateTerm rate_factor = RateTerm::logarithmic; ///< of the classical law
@@ -41,25 +50,20 @@ struct Options {
   std::optional<double> leave_out_from_K, leave_out_to_K;
   bool simultaneous = false;
 
-  std::vector<double> predict_rates_per_s;             ///< of prediction.svg; empty: those of the tests
-  std::filesystem::path out = "calibration_out/metal"; ///< default_out() where none is given
+  std::vector<double> predict_rates_per_s; ///< of prediction.svg; empty: those of the tests
+  std::filesystem::path out;               ///< parse() takes calibration_out/<name> where none is given
   bool plots = true;
-
-  bool operator==(const Options &) const = default;
 };
 
-/// calibration_out/<name>
-std::filesystem::path default_out(const Options &options);
+/// The options of the program, bound to `o`.
+options::Table table_of(Options &o);
 
 /// The form of the chosen law.
 ogive::FlowForm form_of(const Options &options);
 
-/// Reads the command line (argv[0] is skipped) and the TOML file that --config names; the command line wins. Returns
-/// nothing if --help or --version was asked for and has been written to `text`. Throws ogive::SetupError, one line that
-/// names the option (or file, line and key), the value and what is allowed. Touches no file but --config's.
-std::optional<Options> parse(int argc, const char *const *argv, std::ostream &text);
-
-/// The text of --help.
-std::string help();
+/// Reads the command line and the TOML file that --config names; the command line wins. Returns nothing if --help or
+/// --version was given and has been written to `text`. Throws ogive::SetupError, one line that names the option (or
+/// file, line and key), the value and what is allowed. Touches no file but --config's.
+std::optional<Options> parse(const options::Arguments &arguments, std::ostream &text);
 
 } // namespace calibrate

@@ -18,14 +18,14 @@ struct Fitted {
   ogive::Misfit misfit;
 };
 
-/// A law: by the three steps, and where asked for by all tests at once.
+/// A law: by the three steps, and with --simultaneous by all tests at once.
 struct LawResult {
   ogive::FlowForm form{};
   Fitted steps;
   std::optional<Fitted> simultaneous;
 };
 
-/// Everything that a calibration tells.
+/// The result of a calibration.
 struct Results {
   ogive::TestSeries series;
   LawResult chosen;
@@ -33,15 +33,17 @@ struct Results {
   std::vector<std::string> messages;
 };
 
+/// A fitted parameter, in the unit of its name.
+struct Parameter {
+  std::string name;
+  double value = 0, standard_error = 0;
+};
+
+/// The parameters of hardening `h`, with the names of material files: A_MPa, B_MPa, a, C, b, or n and m.
+std::vector<Parameter> parameters_of(const ogive::Calibration &c, std::size_t h);
+
 /// "modified Johnson-Cook", ...
 std::string long_name(ogive::FlowForm form);
-
-/// The parameters' names as files have them, MPa for the first two: A_MPa, B_MPa, a, C, b, or n and m.
-std::vector<std::string> parameter_names(ogive::FlowForm form);
-
-/// Their values for hardening `h`, and the factors by which SI values become them.
-Eigen::VectorXd parameter_values(const ogive::Calibration &c, std::size_t h);
-Eigen::VectorXd parameter_units();
 
 /// beta/(rho cp), K/Pa; 0 if isothermal.
 double heat_per_work(const Options &options);
@@ -55,11 +57,11 @@ Results fitted(const Options &options, std::vector<ogive::StressCurve> curves, s
 /// Writes fit.json. Throws ogive::WriteError.
 void write_json(const Options &options, const Results &results);
 
-/// Writes material.toml, or says why it is left out in the text returned. Throws ogive::WriteError.
+/// Writes material.toml. Returns why it is left out, if it is. Throws ogive::WriteError.
 std::string write_materials(const Options &options, const Results &results);
 
-/// Writes the tables behind the pictures and draws these; what cannot be drawn is said in the text returned. Throws
-/// ogive::WriteError for a table.
+/// Writes the tables behind the pictures and draws these. Returns what could not be drawn. Throws ogive::WriteError for
+/// a table.
 std::string write_plots(const Options &options, const Results &results);
 
 /// Prints the closing table.

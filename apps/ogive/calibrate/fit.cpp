@@ -1,43 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results.hpp"
 
-#include "shared/input.hpp"
-
 #include "ogive/fit/curve_table.hpp"
-
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <system_error>
 
 namespace calibrate {
 
 namespace {
-
-/// A larger file is no table of tests; a device such as /dev/zero has no end.
-constexpr std::size_t largest_file = std::size_t(256) << 20;
-
-std::string text_of_table(const std::filesystem::path &name) {
-  const auto refuse_with = [&](const std::string &reason) {
-    input::refuse("--data", name.string(), "must be a CSV file " + reason);
-  };
-  const auto refuse_error = [&](int error) {
-    refuse_with("that can be read: " + std::generic_category().message(error));
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
-  if (!file) refuse_error(errno);
-  std::string text;
-  constexpr std::size_t block = 1 << 20;
-  for (std::size_t got = block; got == block;) {
-    const std::size_t size = text.size();
-    text.resize(size + block);
-    got = std::fread(text.data() + size, 1, block, file.get());
-    text.resize(size + got);
-    if (text.size() > largest_file) refuse_with("of at most 256 MiB");
-  }
-  if (std::ferror(file.get())) refuse_error(errno);
-  return text;
-}
 
 ogive::SeriesSettings settings_of(const Options &o) {
   ogive::SeriesSettings s;
@@ -72,24 +40,23 @@ std::string long_name(ogive::FlowForm form) {
   return form == ogive::FlowForm::power ? "Johnson-Cook, power" : "Johnson-Cook, logarithmic";
 }
 
-std::vector<std::string> parameter_names(ogive::FlowForm form) {
-  if (form == ogive::FlowForm::modified) return {"A_MPa", "B_MPa", "a", "C", "b"};
-  return {"A_MPa", "B_MPa", "n", "C", "m"};
-}
-
-Eigen::VectorXd parameter_units() { return (Eigen::VectorXd(5) << 1e-6, 1e-6, 1, 1, 1).finished(); }
-
-Eigen::VectorXd parameter_values(const ogive::Calibration &c, std::size_t h) {
+std::vector<Parameter> parameters_of(const ogive::Calibration &c, std::size_t h) {
+  const bool modified = c.frame.form == ogive::FlowForm::modified;
+  const Eigen::VectorXd error = ogive::standard_errors(covariance_of(c, h));
   const auto &hardening = c.hardening[h];
-  const Eigen::VectorXd si = (Eigen::VectorXd(5) << hardening.A, hardening.B, hardening.a, c.C, c.b).finished();
-  return si.cwiseProduct(parameter_units());
+  return {{"A_MPa", hardening.A * 1e-6, error[0] * 1e-6},
+          {"B_MPa", hardening.B * 1e-6, error[1] * 1e-6},
+          {modified ? "a" : "n", hardening.a, error[2]},
+          {"C", c.C, error[3]},
+          {modified ? "b" : "m", c.b, error[4]}};
 }
 
 std::vector<ogive::StressCurve> read_tables(const Options &o, std::vector<std::string> &messages) {
+  constexpr std::size_t most_mebibytes = 256;
   std::vector<std::string> texts;
   std::vector<ogive::CurveTable> tables;
-  for (const auto &file : o.data) texts.push_back(text_of_table(file));
-  for (std::size_t i = 0; i < texts.size(); ++i) tables.push_back({input::printable(o.data[i].string()), texts[i]});
+  for (const auto &file : o.data) texts.push_back(options::text_of_file(file, "--data", "CSV", most_mebibytes));
+  for (std::size_t i = 0; i < texts.size(); ++i) tables.push_back({options::printable(o.data[i].string()), texts[i]});
   return ogive::read_curves(tables, {o.engineering, o.young_GPa.value_or(0) * 1e9, *o.melting_K}, messages);
 }
 
