@@ -1,11 +1,11 @@
-"""The kinds of checks that docs/results/acceptance.toml may name. Each takes a Check of accept.py, which knows
+"""The kinds of checks that docs/results/acceptance.toml may name. Each takes a Check of checks.py, which knows
 parameters, bounds and results, and returns what it measured as a list of (value, where or what); the worst of them
 counts."""
 
 import itertools
 import math
 
-from ogive_results import metal_of, short
+from .data import close, metal_of, percent_of, short
 
 
 class Missing(Exception):
@@ -20,10 +20,6 @@ def shot_text(row):
     velocity = short(row["initial_velocity_mps"], 5)
     method = "" if row["method"] == "sfm" else f"{row['method']}, "
     return f"{method}{row['model']}, {plate_text(row['nose'], row['thickness_mm'])}, {velocity} m/s"
-
-
-def percent_of(value, reference):
-    return 100 * (value - reference) / reference
 
 
 def limit_against_test(check):
@@ -47,7 +43,7 @@ def residuals_against_tests(check):
             velocity = test["initial_velocity_mps"]
             if velocity < slowest:
                 continue
-            found = [s for s in shots if abs(s["initial_velocity_mps"] - velocity) < 0.05]
+            found = [s for s in shots if close(s["initial_velocity_mps"], velocity, 0.05)]
             if not found:
                 raise Missing(f"no shot at {short(velocity)} m/s, {plate_text(nose, thickness)}")
             computed = found[0]["residual_velocity_mps"]
@@ -142,7 +138,7 @@ def projectile_mass(check):
     measured = []
     for nose in check.several("nose", str):
         found = [row for row in check.results.projectiles
-                 if row["nose"] == nose and abs(row["spacing_mm"] - spacing_mm) < 1e-6]
+                 if row["nose"] == nose and close(row["spacing_mm"], spacing_mm)]
         if not found:
             raise Missing(f"no shot with the {nose} nose")
         measured.append((percent_of(found[0]["projectile_mass_g"], mass_g),

@@ -1,25 +1,18 @@
-#!/usr/bin/env python3
-# SPDX-License-Identifier: BSD-3-Clause
-"""Holds results against docs/results/acceptance.toml and prints a line for each check. Exit status 0 if all passed, 1
-if any failed or lacks its data, 2 for wrong input."""
+"""Holds results against docs/results/acceptance.toml: one Result for each check."""
 
 import itertools
 import math
 import re
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the modules beside this script leave no files behind
+from .data import (PAGE, InputError, close, half_width_mps, markdown_table, of_plate, read_results, read_tests,
+                   read_toml, short)
+from .kinds import KINDS, Missing, limit_against_test, plate_text
 
-import ogive_results  # noqa: E402
-from acceptance_kinds import KINDS, Missing, limit_against_test, plate_text  # noqa: E402
-from ogive_results import InputError, metal_of, short  # noqa: E402
-
-CHECKS = ogive_results.ROOT / "docs" / "results" / "acceptance.toml"
-BEYOND = ogive_results.ROOT / "docs" / "results" / "acceptance_beyond.toml"
-FOLDER = ogive_results.ROOT / "docs" / "results" / "results"
-FACTS = ogive_results.ROOT / "docs" / "results" / "paper_facts.toml"
+CHECKS = PAGE / "acceptance.toml"
+BEYOND = PAGE / "acceptance_beyond.toml"
+FACTS = PAGE / "paper_facts.toml"
 
 UNITS = {"percent": "%", "mps": "m/s", "standard_errors": "standard errors"}
 BOUND = re.compile(r"(within|at_least|at_most|above|below)(?:_(\w+))?")
@@ -37,7 +30,7 @@ class Bound:
                 "below": measured < self.value}[self.relation]
 
     def share(self, measured):
-        """How much of what is allowed is used up: more than 1 where the bound does not hold."""
+        """The used share of the bound: more than 1 where it does not hold."""
         size = abs(measured) if self.relation == "within" else measured
         share = size / self.value if size * self.value > 0 else 0
         # A floor above zero is used up by what is small, one below zero by what is large.
@@ -131,11 +124,8 @@ class Check:
         return list(itertools.product(self.several("nose", str), self.several("thickness_mm", (int, float))))
 
     def _series(self, rows, nose, thickness_mm):
-        metal, method, model = self.value("metal", str), self.value("method", str), self.value("model", str)
-        spacing_mm = self.value("spacing_mm", (int, float))
-        return [row for row in rows if metal_of(row["material"]) == metal and row["nose"] == nose
-                and row["method"] == method and row["model"] == model
-                and abs(row["thickness_mm"] - thickness_mm) < 1e-6 and abs(row["spacing_mm"] - spacing_mm) < 1e-6]
+        return of_plate(rows, self.value("metal", str), nose, thickness_mm, self.value("model", str),
+                        self.value("method", str), self.value("spacing_mm", (int, float)))
 
     def shots(self, nose, thickness_mm):
         return self._series(self.results.shots, nose, thickness_mm)
@@ -145,7 +135,7 @@ class Check:
         shots = self.shots(nose, thickness_mm)
         if "velocity_mps" in self.table:
             velocity = self.value("velocity_mps", (int, float))
-            found = [s for s in shots if abs(s["initial_velocity_mps"] - velocity) < 1e-6]
+            found = [s for s in shots if close(s["initial_velocity_mps"], velocity)]
         else:
             self.limit(nose, thickness_mm)
             found = sorted((s for s in shots if s["perforated"]), key=lambda s: s["initial_velocity_mps"])
@@ -158,7 +148,7 @@ class Check:
     def limit(self, nose, thickness_mm):
         """The row with a ballistic limit that bisection has found closely enough."""
         rows = self._series(self.results.limits, nose, thickness_mm)
-        half = ogive_results.half_width_mps(rows[0]) if rows else None
+        half = half_width_mps(rows[0]) if rows else None
         widest = self.value("widest_bracket_mps", (int, float))
         if half is None or 2 * half > widest:
             raise Missing(f"no limit to {short(widest / 2)} m/s by bisection, {plate_text(nose, thickness_mm)}")
@@ -193,7 +183,7 @@ class Check:
 
 def run_checks(results, tests, file=CHECKS, spacing_mm=None):
     """All checks of a file; `spacing_mm` replaces the particle distance of its [defaults]."""
-    tables = ogive_results.read_toml(file)
+    tables = read_toml(file)
     defaults = tables.get("defaults", {})
     if spacing_mm is not None:
         defaults["spacing_mm"] = spacing_mm
@@ -226,34 +216,21 @@ def summary(results):
 
 def figure_table(results):
     """The status of each figure in Markdown, for the README."""
-    lines = ["| figure | what it shows | status | checks | what decides |", "|---|---|---|---|---|"]
-    for fact in ogive_results.read_toml(FACTS)["figure"]:
+    rows = []
+    for fact in read_toml(FACTS)["figure"]:
         of_figure = [r for r in results if fact["number"] in r.figures]
         word, decides = status_of_figure(of_figure)
         passed = sum(r.status == "pass" for r in of_figure)
         text = f"{decides.statement}: {decides.measured}; asked: {decides.limit}" if decides else ""
-        lines.append(f"| {fact['number']} | {fact['title']} | {word} | {passed} of {len(of_figure)} | {text} |")
-    return "\n".join(lines)
+        rows.append([str(fact["number"]), fact["title"], word, f"{passed} of {len(of_figure)}", text])
+    return markdown_table(["figure", "what it shows", "status", "checks", "what decides"], rows)
 
 
-def main():
-    parser = ogive_results.OneLineParser(prog="accept", description=__doc__)
-    parser.add_argument("folder", nargs="?", type=Path, default=FOLDER,
-                        help="with results: of a page (docs/results/results, the default) or of a campaign")
-    parser.add_argument("--checks", type=Path, default=CHECKS, help="the file [docs/results/acceptance.toml]")
-    parser.add_argument("--data", type=Path, default=ogive_results.DATA, help="tables of tests [apps/data]")
-    parser.add_argument("--spacing-mm", type=float, help="particle distance of the runs [that of the file]")
-    parser.add_argument("--figures", action="store_true", help="print the status of each figure, in Markdown, instead")
-    o = parser.parse_args()
-    results = run_checks(ogive_results.read_results(o.folder), ogive_results.read_tests(o.data), o.checks, o.spacing_mm)
-    if o.figures:
+def accept(folder, figures, checks, spacing_mm):
+    """Prints a line for each check, or the status of each figure; gives 1 if a check failed or lacks its data."""
+    results = run_checks(read_results(folder), read_tests(), checks, spacing_mm)
+    if figures:
         print(figure_table(results))
         return 0
-    for result in results:
-        print(result.line())
-    print(summary(results))
+    print("\n".join([*(result.line() for result in results), summary(results)]))
     return 0 if all(result.status == "pass" for result in results) else 1
-
-
-if __name__ == "__main__":
-    sys.exit(ogive_results.run_main("accept", main))
