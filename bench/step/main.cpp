@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// \file
-/// bench_step: times the steps of a shot and compares them with what the machine can do.
+/// bench_step: times the steps of a shot and what the machine can do, and writes both as JSON in SI units.
+/// bench/performance.sh makes tables of it.
 
-#include "report.hpp"
+#include "limits.hpp"
+#include "shot.hpp"
+
+#include "ogive/version.hpp"
 
 #include <CLI/CLI.hpp>
-#include <omp.h>
+#include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
   std::vector<double> sizes{3000, 25000, 100000, 1000000};
   bench::Plan plan;
-  std::string json;
   bool quick = false;
 };
 
@@ -32,7 +35,6 @@ Options read_options(CLI::App &app, int argc, const char *const *argv) {
       ->check(CLI::Range(0, 1000000));
   const auto *repeats =
       app.add_option("--repeats", options.plan.repeats, "measurements, the median counts")->check(CLI::Range(1, 1000));
-  app.add_option("--json", options.json, "file for all numbers");
   app.add_flag("--quick", options.quick, "small sizes and short measurements, to see that all works");
   app.parse(argc, argv);
   for (const double size : options.sizes)
@@ -52,24 +54,89 @@ Options read_options(CLI::App &app, int argc, const char *const *argv) {
   return options;
 }
 
+Json json_of(const bench::Timing &t) {
+  Json phases;
+  for (std::size_t k = 0; k < ogive::phase_count; ++k)
+    phases[std::string(ogive::name(static_cast<ogive::Phase>(k)))] = t.phases[k];
+  char hash[32];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(t.hash));
+  return {{"threads", t.threads}, {"rounds", t.rounds},     {"step_s", t.step},  {"spread", t.spread},
+          {"phases_s", phases},   {"rebuild_s", t.rebuild}, {"state_hash", hash}};
+}
+
+Json json_of(const bench::PairArithmetic &arithmetic, double bytes) {
+  return {{"flop_per_lane_pair", arithmetic.flops},
+          {"instructions_per_lane_pair", arithmetic.instructions},
+          {"bytes", bytes}};
+}
+
+Json json_of(const bench::ShotResult &shot) {
+  const bench::Work &w = shot.work;
+  const bench::Memory &m = shot.memory;
+  Json timings = Json::array();
+  for (const bench::Timing &timing : shot.timings) timings.push_back(json_of(timing));
+  return {{"particles", w.particles},
+          {"spacing_m", shot.spacing},
+          {"images", w.images},
+          {"hexes", shot.hexes},
+          {"slaves", shot.slaves},
+          {"flowing", w.flowing},
+          {"pairs", w.pairs},
+          {"clusters", w.clusters},
+          {"listed", w.listed},
+          {"within", w.within},
+          {"gradient", json_of(bench::gradient_arithmetic, w.gradient_bytes)},
+          {"force", json_of(bench::force_arithmetic, w.force_bytes)},
+          {"stress", {{"bytes", w.stress_bytes}}},
+          {"start_time_s", shot.start_time},
+          {"start_step", shot.start_step},
+          {"steps", shot.steps},
+          {"rebuilds", shot.timings[0].rebuilds},
+          {"memory_bytes",
+           {{"nodes", m.nodes},
+            {"points", m.points},
+            {"pair_data", m.pair_data},
+            {"neighbours", m.neighbours},
+            {"lists", m.lists},
+            {"process", m.process}}},
+          {"timings", timings}};
+}
+
 int measure(const Options &options) {
-  bench::Report report;
-  report.repeats = options.plan.repeats;
-  report.triad_bytes = bench::triad_bytes(options.quick);
+  using ogive::Pack;
+  const bool quick = options.quick;
+  const std::size_t bytes = bench::triad_bytes(quick);
+  Json limits = Json::array(), shots = Json::array();
   std::fprintf(stderr, "limits of the machine\n");
-  for (const int threads : options.plan.threads)
-    report.limits.push_back(bench::measure_limits(threads, report.triad_bytes, options.quick));
-  report.pack_times = bench::measure_pack_times(options.quick);
-  for (const double size : options.sizes)
-    report.shots.push_back(bench::measure_shot(size, options.plan, [&](const std::string &text) {
-      std::fprintf(stderr, "%.0f particles: %s\n", size, text.c_str());
-    }));
-  std::cout << bench::tables(report) << std::flush;
-  if (!options.json.empty() && !(std::ofstream(options.json) << bench::json(report) << std::flush)) {
-    std::fprintf(stderr, "bench_step: error: --json = %s: cannot be written\n", options.json.c_str());
-    return 2;
+  for (const int threads : options.plan.threads) {
+    const auto l = bench::measure_limits(threads, bytes, quick);
+    limits.push_back({{"threads", l.threads}, {"triad_byte_per_s", l.triad}, {"flop_per_s", l.arithmetic}});
   }
-  if (std::all_of(report.shots.begin(), report.shots.end(), bench::equal_hashes)) return 0;
+  // Each operation leads to a number near 1 again; the last two are ogive's, with 27 bits.
+  const Json packs{
+      {"division", bench::pack_time(quick, [](Pack<double> p) { return Pack<double>(1.0) / p; })},
+      {"square_root", bench::pack_time(quick, [](Pack<double> p) { return ogive::sqrt(p); })},
+      {"reciprocal", bench::pack_time(quick, [](Pack<double> p) { return ogive::reciprocal(p); })},
+      {"inverse_square_root", bench::pack_time(quick, [](Pack<double> p) { return ogive::inverse_sqrt(p); })}};
+  bool equal = true;
+  for (const double size : options.sizes) {
+    const auto shot = bench::measure_shot(size, options.plan, [&](const std::string &text) {
+      std::fprintf(stderr, "%.0f particles: %s\n", size, text.c_str());
+    });
+    equal = equal && bench::equal_hashes(shot);
+    shots.push_back(json_of(shot));
+  }
+  const Json all{{"version", ogive::version},
+                 {"cores", omp_get_num_procs()},
+                 {"register_bits", 8 * ogive::register_bytes},
+                 {"lanes", ogive::lanes<double>},
+                 {"triad_bytes", bytes},
+                 {"repeats", options.plan.repeats},
+                 {"limits", limits},
+                 {"pack_s", packs},
+                 {"shots", shots}};
+  std::cout << all.dump(2) << std::endl;
+  if (equal) return 0;
   std::fprintf(stderr, "bench_step: error: the state depends on the number of threads\n");
   return 1;
 }
@@ -77,7 +144,7 @@ int measure(const Options &options) {
 } // namespace
 
 int main(int argc, char **argv) {
-  CLI::App app("Times the steps of a shot and compares them with what the machine can do.", "bench_step");
+  CLI::App app("Times the steps of a shot and what the machine can do; prints JSON.", "bench_step");
   try {
     return measure(read_options(app, argc, argv));
   } catch (const CLI::ParseError &error) {
