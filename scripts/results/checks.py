@@ -8,7 +8,7 @@ from pathlib import Path
 
 from .data import (PAGE, InputError, close, half_width_mps, markdown_table, of_plate, read_results, read_tests,
                    read_toml, short)
-from .kinds import KINDS, Missing, limit_against_test, plate_text
+from .kinds import KINDS, NUMBER, Missing, limit_against_test, plate_text
 
 CHECKS = PAGE / "acceptance.toml"
 BEYOND = PAGE / "acceptance_beyond.toml"
@@ -73,7 +73,7 @@ class Check:
         self.figures = figures if isinstance(figures, list) else [figures]
         if not self.figures or not all(isinstance(f, int) and 0 <= f <= 99 for f in self.figures):
             self.refuse("figure", "must be the number of a figure or a list of them, 0 for all runs")
-        self.measure, needed, allowed = KINDS[table["kind"]]
+        self.measure, units, needed, allowed = KINDS[table["kind"]]
         known = {"id", "figure", "statement", "kind", "method", "model", "spacing_mm", *needed, *allowed}
         self.bounds = []
         for name, value in table.items():
@@ -81,12 +81,15 @@ class Check:
             if name not in known and not match:
                 self.refuse(name, f"is unknown: {table['kind']} takes {', '.join(sorted(known))} and bounds")
             if match:
-                self.bounds.append(Bound(match[1], self.value(name, (int, float)), match[2] or ""))
+                self.bounds.append(Bound(match[1], self.value(name, NUMBER), match[2] or ""))
         for name in needed:
             if name not in table:
                 raise InputError(f"{self.where}: {name}: is required by {table['kind']}")
         if bool(self.bounds) == (table["kind"] == "picture") or len({bound.unit for bound in self.bounds}) > 1:
             raise InputError(f"{self.where}: bounds: must be one or more of the same unit, none for a picture")
+        units = self.units_of_quantity() if units is None else units
+        if self.bounds and self.bounds[0].unit not in units:
+            self.refuse("kind", "takes bounds " + " or ".join("in " + u if u else "without unit" for u in units))
 
     def refuse(self, name, problem):
         raise InputError(f"{self.where}: {name} = {self.table.get(name)!r}: {problem}")
@@ -106,26 +109,22 @@ class Check:
             self.refuse(name, "must be a text or a list of texts" if kind is str else "must be a number or a list")
         return values
 
-    def unit(self, *units):
-        """The unit of the bounds, which must be one of those."""
-        if self.bounds[0].unit not in units:
-            self.refuse("kind", "takes bounds " + " or ".join("in " + u if u else "without unit" for u in units))
-        return self.bounds[0].unit
-
-    def unit_of_quantity(self):
-        """The unit of the bounds of a quantity, which ends with its own; the ratio of two has none. A number without
-        unit may be held against percent."""
+    def units_of_quantity(self):
+        """The units of the bounds of a quantity, which ends with its own; the ratio of two has none. A number without unit
+        may be held against percent."""
         ending = self.value("quantity", str).rsplit("_", 1)[-1]
-        units = (ending,) if ending in ("mm", "mps", "g", "K", "us") and not self.value("per") else ("", "percent")
-        return self.unit(*units)
+        return (ending,) if ending in ("mm", "mps", "g", "K", "us") and not self.value("per") else ("", "percent")
+
+    def factor(self):
+        return 100 if self.bounds[0].unit == "percent" else 1
 
     def plates(self):
         """All noses with all thicknesses."""
-        return list(itertools.product(self.several("nose", str), self.several("thickness_mm", (int, float))))
+        return list(itertools.product(self.several("nose", str), self.several("thickness_mm", NUMBER)))
 
     def _series(self, rows, nose, thickness_mm):
         return of_plate(rows, self.value("metal", str), nose, thickness_mm, self.value("model", str),
-                        self.value("method", str), self.value("spacing_mm", (int, float)))
+                        self.value("method", str), self.value("spacing_mm", NUMBER))
 
     def shots(self, nose, thickness_mm):
         return self._series(self.results.shots, nose, thickness_mm)
@@ -134,22 +133,20 @@ class Check:
         """The one that the check is about: at velocity_mps, or the slowest that perforated once the limit is known."""
         shots = self.shots(nose, thickness_mm)
         if "velocity_mps" in self.table:
-            velocity = self.value("velocity_mps", (int, float))
-            found = [s for s in shots if close(s["initial_velocity_mps"], velocity)]
+            velocity = self.value("velocity_mps", NUMBER)
+            found, what = [s for s in shots if close(s["initial_velocity_mps"], velocity)], f"at {short(velocity)} m/s"
         else:
             self.limit(nose, thickness_mm)
-            found = sorted((s for s in shots if s["perforated"]), key=lambda s: s["initial_velocity_mps"])
-            velocity = None
+            found, what = [s for s in shots if s["perforated"]], "that perforated"
         if not found:
-            what = "no shot that perforated" if velocity is None else f"no shot at {short(velocity)} m/s"
-            raise Missing(f"{what}, {plate_text(nose, thickness_mm)}")
-        return found[0]
+            raise Missing(f"no shot {what}, {plate_text(nose, thickness_mm)}")
+        return min(found, key=lambda s: s["initial_velocity_mps"])
 
     def limit(self, nose, thickness_mm):
         """The row with a ballistic limit that bisection has found closely enough."""
         rows = self._series(self.results.limits, nose, thickness_mm)
         half = half_width_mps(rows[0]) if rows else None
-        widest = self.value("widest_bracket_mps", (int, float))
+        widest = self.value("widest_bracket_mps", NUMBER)
         if half is None or 2 * half > widest:
             raise Missing(f"no limit to {short(widest / 2)} m/s by bisection, {plate_text(nose, thickness_mm)}")
         return rows[0]
@@ -168,7 +165,7 @@ class Check:
                           status, measured, limit, share)
 
         try:
-            measured = self.measure(self)
+            measured = list(self.measure(self))
         except Missing as missing:
             return made("missing", str(missing), math.inf)
         share, value, label = max(((max((b.share(v) for b in self.bounds), default=0), v, text)

@@ -58,34 +58,26 @@ def close(a, b, within=1e-6):
     return abs(a - b) < within
 
 
-class Row:
-    """A line of a table. row["thickness_mm"] is a number (None where the field is empty) or a text; row.text has the
-    fields of the file."""
+class Row(dict):
+    """A line of a table: numbers (None where the field is empty) and texts by column; `text` has the fields of the file."""
 
     def __init__(self, text, where):
+        super().__init__((column, field if column in TEXT_COLUMNS else self._number(where, column, field))
+                         for column, field in text.items())
         self.text, self.where = text, where
-        self.values = {column: field if column in TEXT_COLUMNS else self._number(column, field)
-                       for column, field in text.items()}
 
-    def _number(self, column, field):
-        if field == "":
-            return None
+    @staticmethod
+    def _number(where, column, field):
         try:
-            value = float(field)
+            value = float(field) if field else None
         except ValueError:
             value = math.nan
-        if not math.isfinite(value):
-            raise InputError(f"{self.where}: {column} = {field[:40]!r}: must be a finite number")
+        if value is not None and not math.isfinite(value):
+            raise InputError(f"{where}: {column} = {field[:40]!r}: must be a finite number")
         return value
 
-    def __getitem__(self, column):
-        return self.values[column]
-
-    def get(self, column):
-        return self.values.get(column)
-
     def key(self, columns):
-        return tuple(self.values[column] for column in columns)
+        return tuple(self[column] for column in columns)
 
 
 def read_records(file):

@@ -136,7 +136,7 @@ def residuals(_):
     columns = (INITIAL, TEST, RESIDUAL, PLUG, DISHING, BONDS, FINE_ENERGY)
     found = of_plate(read_shots(PAGE / "data"), *STEEL, 12, "mjc", "stabilised")
     return markdown_table([column.title for column in columns], [
-        [column.cell({**row.values, "test_residual_velocity_mps": tests[row["initial_velocity_mps"]]}) for column in columns]
+        [column.cell({**row, "test_residual_velocity_mps": tests[row["initial_velocity_mps"]]}) for column in columns]
         for row in found if row["initial_velocity_mps"] in tests])
 
 
