@@ -17,13 +17,6 @@
 
 namespace bench {
 
-/// Limits of the machine with a number of threads.
-struct Limits {
-  int threads = 1;
-  double triad = 0;      ///< byte/s, STREAM's a = b + s c on arrays much larger than the caches, three words each
-  double arithmetic = 0; ///< flop/s in double precision, fused multiply-adds alone, each of them two flops
-};
-
 namespace detail {
 
 using ogive::Pack;
@@ -59,6 +52,7 @@ template <class F> double pack_time(bool quick, F &&operation) {
   return best / (static_cast<double>(rounds) * detail::independent);
 }
 
+/// flop/s in double precision, fused multiply-adds alone, each of them two flops; the best of several runs.
 inline double measure_arithmetic(int threads, bool quick) {
   using ogive::Pack;
   const std::int64_t rounds = quick ? 3'000'000 : 30'000'000;
@@ -81,6 +75,7 @@ inline double measure_arithmetic(int threads, bool quick) {
   return best;
 }
 
+/// byte/s of STREAM's a = b + s c on arrays of so many bytes together, three words each; the best of several runs.
 inline double measure_triad(int threads, std::size_t bytes, bool quick) {
   constexpr std::int64_t width = ogive::lanes<double>;
   const std::int64_t packs = static_cast<std::int64_t>(bytes / (3 * sizeof(double) * width));
@@ -110,11 +105,6 @@ inline std::size_t triad_bytes(bool quick) {
   const auto of_system = [](int name) { return static_cast<std::size_t>(std::max(0L, sysconf(name))); };
   const std::size_t memory = of_system(_SC_PHYS_PAGES) * of_system(_SC_PAGESIZE);
   return std::min(std::max(least, 4 * of_system(_SC_LEVEL3_CACHE_SIZE)), memory / 4);
-}
-
-/// Measures the limits: the best of several runs.
-inline Limits measure_limits(int threads, std::size_t bytes, bool quick) {
-  return {threads, measure_triad(threads, bytes, quick), measure_arithmetic(threads, quick)};
 }
 
 } // namespace bench

@@ -8,6 +8,7 @@
 #include "ogive/sph/gradient.hpp"
 
 #include <malloc.h>
+#include <nlohmann/json.hpp>
 #include <omp.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <numbers>
@@ -25,20 +27,17 @@
 #include <vector>
 
 /// \file
-/// Times the steps of a shot, and counts the work and the memory of its particles.
+/// Times the steps of a shot, and counts the work and the memory of its particles; all as JSON in SI units.
 
 namespace bench {
 
+using Json = nlohmann::ordered_json;
 using ogive::Phase;
 
-/// Arithmetic of one particle of a cluster with one place of its list.
-struct PairArithmetic {
-  double flops;        ///< a fused multiply-add counts two; maximum, minimum, estimates of root and reciprocal one each
-  double instructions; ///< arithmetic ones on vectors, multiplication and addition fused wherever they can be
-};
-
-// Counted for the cubic spline, a fixed smoothing length and machines with estimates of roots; what does not depend on
-// the neighbour is left out. flops / instructions:
+// Arithmetic of one particle of a cluster with one place of its list. Flops: a fused multiply-add counts two, maximum,
+// minimum, estimates of root and reciprocal one each. Instructions: arithmetic ones on vectors, multiplication and
+// addition fused wherever they can be. Counted for the cubic spline, a fixed smoothing length and machines with
+// estimates of roots; what does not depend on the neighbour is left out. flops / instructions:
 //
 //   x_ij 3/3, r^2 5/3                                                                                  8/6
 //   u^2 = max(r^2/h^2, 1e-12) 2/2, 1/u: estimate and Newton's step 7/5, u 1/1,
@@ -46,26 +45,12 @@ struct PairArithmetic {
 //
 // gradient_sums: those and weight 2/2, V_j grad W 3/3, v_ij 3/3, nine sums 18/9, six moments 12/6, comparison with the
 // support 1/1.
-inline constexpr PairArithmetic gradient_arithmetic{67, 45};
+inline constexpr double gradient_flops = 67, gradient_instructions = 45;
 
 // pair_forces: those and weight 1/1, v_ij . x_ij 8/6, mu: minimum, r^2 + 0.01 h^2, reciprocal 5/3, two products 9/7,
 // q 5/4, weights 2/2, three sums of both terms 27/15 (the product of stress and x_ij, times w, less q V w x_ij), three
 // sums of gradients 6/3, power 2/1.
-inline constexpr PairArithmetic force_arithmetic{88, 60};
-
-/// Sizes of the disc at one state and what its loops over pairs do in one step.
-struct Work {
-  std::int64_t particles = 0;
-  std::int64_t images = 0; ///< mirror images of particles
-  std::int64_t clusters = 0;
-  std::int64_t listed = 0;   ///< entries of all lists
-  std::int64_t within = 0;   ///< of them with a particle of the cluster within the support: those of the force loop
-  std::int64_t pairs = 0;    ///< neighbours within the support, of all particles; a pair counts at both
-  std::int64_t flowing = 0;  ///< particles that flowed plastically in the last step
-  double gradient_bytes = 0; ///< touched by velocity_gradient()
-  double force_bytes = 0;    ///< touched by add_internal_force()
-  double stress_bytes = 0;   ///< touched by update_stress()
-};
+inline constexpr double force_flops = 88, force_instructions = 60;
 
 /// Directed pairs of different particles within the support, images included, with the nodes where they are.
 template <class Body, class T> std::int64_t count_pairs(const Body &body, const ogive::Nodes<T> &nodes) {
@@ -86,65 +71,65 @@ template <class Body, class T> std::int64_t count_pairs(const Body &body, const 
   });
 }
 
-/// Counts the work at a state. Bytes: each number that a function reads or writes counts once for each of its loops, as
-/// if what is read again lay in the cache; a number that is changed in place counts twice.
-template <class Body, class T> Work count_work(const Body &body, const ogive::Nodes<T> &nodes) {
+/// Sizes of the disc at a state and what its loops over pairs do in one step. Bytes: each number that a function reads
+/// or writes counts once for each of its loops, as if what is read again lay in the cache; a number that is changed in
+/// place counts twice.
+template <class Body, class T> Json work_of(const Body &body, const ogive::Nodes<T> &nodes) {
   const auto &n = body.neighbours;
-  Work w;
-  w.particles = body.points.size();
-  w.images = static_cast<std::int64_t>(n.images.size());
-  w.clusters = ogive::clusters(n);
-  w.listed = static_cast<std::int64_t>(n.list.size());
-  for (const std::uint64_t word : n.within) w.within += std::popcount(word);
-  w.pairs = count_pairs(body, nodes);
-  for (const T rate : body.points.plastic_strain_rate) w.flowing += rate > T(0);
+  std::int64_t within = 0, flowing = 0;
+  for (const std::uint64_t word : n.within) within += std::popcount(word);
+  for (const T rate : body.points.plastic_strain_rate) flowing += rate > T(0);
 
   constexpr double number = sizeof(T), index = sizeof(ogive::Index), image = sizeof(ogive::MirrorImage);
-  const double particles = static_cast<double>(w.particles), places = particles + static_cast<double>(w.images);
-  const double lists = index * static_cast<double>(w.listed);
+  const double particles = static_cast<double>(body.points.size()), images = static_cast<double>(n.images.size());
+  const double lists = index * static_cast<double>(n.list.size()), places = particles + images;
   // Position, velocity, volume of all places; correction and velocity gradient are written.
-  w.gradient_bytes = lists + 7 * number * places + (index + (9 + 9) * number) * particles;
+  const double gradient = lists + 7 * number * places + (index + (9 + 9) * number) * particles;
   // First loop: density, mass, pressure, deviator, correction are read; flux and density written. Images: flux and
   // density written. Last loop: position, velocity, volume, density, flux of all places; force and viscous energy are
   // changed.
-  w.force_bytes = (index + (3 + 6 + 9 + 9 + 1) * number) * particles +
-                  (image + 10 * number) * static_cast<double>(w.images) + lists + (6 + 2 + 9) * number * places +
-                  (index + (3 + 1) * 2 * number) * particles;
+  const double force = (index + (3 + 6 + 9 + 9 + 1) * number) * particles + (image + 10 * number) * images + lists +
+                       (6 + 2 + 9) * number * places + (index + (3 + 1) * 2 * number) * particles;
   // Velocity gradient, the last elastic limit with its strain and temperature are read; the 13 numbers of a point are
   // changed.
-  w.stress_bytes = (9 + 3 + 2 * 13) * number * particles;
-  return w;
+  const double stress = (9 + 3 + 2 * 13) * number * particles;
+  const auto loop = [](double flops, double instructions, double bytes) {
+    return Json{{"flop_per_lane_pair", flops}, {"instructions_per_lane_pair", instructions}, {"bytes", bytes}};
+  };
+  // listed: entries of all lists; within: of them with a particle of the cluster within the support, those of the loop
+  // over forces; flowing: particles that flowed plastically in the last step.
+  return {{"particles", body.points.size()},
+          {"images", n.images.size()},
+          {"clusters", ogive::clusters(n)},
+          {"listed", n.list.size()},
+          {"within", within},
+          {"pairs", count_pairs(body, nodes)},
+          {"flowing", flowing},
+          {"gradient", loop(gradient_flops, gradient_instructions, gradient)},
+          {"force", loop(force_flops, force_instructions, force)},
+          {"stress", {{"bytes", stress}}}};
 }
-
-/// Bytes of the arrays of a disc of particles, from their capacity.
-struct Memory {
-  double nodes = 0;  ///< the disc's share of the nodes
-  double points = 0; ///< material points, mass, viscous energy
-  double pair_data = 0;
-  double neighbours = 0; ///< order, images, positions at building
-  double lists = 0;
-  double process = 0; ///< largest resident set after the model was made and stepped, less that before
-};
 
 template <class V> double bytes(const std::vector<V> &v) { return static_cast<double>(v.capacity() * sizeof(V)); }
 template <class... Arrays> double bytes_of(const Arrays &...arrays) { return (bytes(arrays) + ...); }
 
-template <class Body, class T> Memory memory_of(const Body &body, const ogive::Nodes<T> &nodes) {
-  Memory m;
-  m.nodes =
-      bytes_of(nodes.position, nodes.velocity, nodes.force, nodes.mass, nodes.held) * body.nodes.size() / nodes.size();
+/// Bytes of the arrays of a disc of particles, from their capacity.
+template <class Body, class T> Json memory_of(const Body &body, const ogive::Nodes<T> &nodes) {
   const auto &p = body.points;
-  ogive::for_each_point_field(p, [&](const char *, const char *, const auto &field) { m.points += bytes(field); });
-  m.points +=
-      bytes_of(p.velocity_gradient, p.yield, p.yield_strain, p.yield_temperature, body.point_mass, body.viscous_energy);
   const auto &d = body.pair_data;
-  m.pair_data = bytes_of(d.x, d.y, d.z, d.vx, d.vy, d.vz, d.volume, d.density, d.smoothing);
-  for (const auto &component : d.correction) m.pair_data += bytes(component);
-  for (const auto &component : d.flux) m.pair_data += bytes(component);
   const auto &n = body.neighbours;
-  m.neighbours = bytes_of(n.order, n.images, n.built_at);
-  m.lists = bytes_of(n.cluster_begin, n.list);
-  return m;
+  double points =
+      bytes_of(p.velocity_gradient, p.yield, p.yield_strain, p.yield_temperature, body.point_mass, body.viscous_energy);
+  ogive::for_each_point_field(p, [&](const char *, const char *, const auto &field) { points += bytes(field); });
+  double pair_data = bytes_of(d.x, d.y, d.z, d.vx, d.vy, d.vz, d.volume, d.density, d.smoothing);
+  for (const auto &component : d.correction) pair_data += bytes(component);
+  for (const auto &component : d.flux) pair_data += bytes(component);
+  const double of_nodes = bytes_of(nodes.position, nodes.velocity, nodes.force, nodes.mass, nodes.held);
+  return {{"nodes", of_nodes * static_cast<double>(body.nodes.size()) / static_cast<double>(nodes.size())},
+          {"points", points},
+          {"pair_data", pair_data},
+          {"neighbours", bytes_of(n.order, n.images, n.built_at)},
+          {"lists", bytes_of(n.cluster_begin, n.list)}};
 }
 
 /// Resident set of this process, bytes; memory that is free is given back first. The peak begins anew from it.
@@ -174,36 +159,6 @@ struct Plan {
   double load_time = 2e-6; ///< s of simulated time before the steps that are timed
   int load_steps = 30;     ///< at least
 };
-
-/// Times of a number of threads; medians of the repeats.
-struct Timing {
-  int threads = 1;
-  int rounds = 1;                                  ///< from the same state, in one measurement
-  int rebuilds = 0;                                ///< of the neighbour lists in a round
-  std::array<double, ogive::phase_count> phases{}; ///< s per step
-  double step = 0;                                 ///< s per step, all phases
-  double rebuild = 0;                              ///< s, what a step with new neighbour lists takes longer
-  double spread = 0;                               ///< largest less smallest step over the median
-  std::uint64_t hash = 0;                          ///< of the state after the steps
-};
-
-/// Everything measured with a number of particles.
-struct ShotResult {
-  double spacing = 0;    ///< m
-  double start_time = 0; ///< s, simulated, at the first step that is timed
-  std::int64_t start_step = 0;
-  int steps = 0; ///< that are timed
-  std::int64_t hexes = 0, slaves = 0;
-  Work work; ///< at the first step that is timed
-  Memory memory;
-  std::vector<Timing> timings;
-};
-
-/// True if all numbers of threads led to the same state.
-inline bool equal_hashes(const ShotResult &result) {
-  return std::all_of(result.timings.begin(), result.timings.end(),
-                     [&](const Timing &t) { return t.hash != 0 && t.hash == result.timings.front().hash; });
-}
 
 /// A quarter of about so many particles: 12 mm Weldox 460 E, blunt projectile, 303.5 m/s.
 inline auto make_shot(double particles) {
@@ -246,15 +201,15 @@ template <class Done> Window advance_until(Shot &model, Done &&done) {
   return w;
 }
 
-/// Number of steps to time: whole cycles, each ending with the step that builds lists, at least ten steps.
-inline int whole_cycles(Shot model) {
+/// Number of steps to time and of new lists in them: `steps`, or whole cycles, each ending with the step that builds
+/// lists, at least ten steps.
+inline std::pair<int, int> whole_cycles(Shot model, int steps) {
   int seen = 0;
-  return advance_until(model,
-                       [&](const Window &w) {
-                         const bool built = w.rebuilds > std::exchange(seen, w.rebuilds);
-                         return (built && w.steps >= 10) || w.steps >= 100;
-                       })
-      .steps;
+  const Window w = advance_until(model, [&](const Window &now) {
+    const bool built = now.rebuilds > std::exchange(seen, now.rebuilds);
+    return steps > 0 ? now.steps == steps : (built && now.steps >= 10) || now.steps >= 100;
+  });
+  return {w.steps, w.rebuilds};
 }
 
 inline double median(std::vector<double> values) {
@@ -263,12 +218,14 @@ inline double median(std::vector<double> values) {
   return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-inline Timing measure(const Shot &loaded, int steps, int threads, const Plan &plan) {
+/// Times with a number of threads, medians of the repeats: of a step with its phases, and what a step with new
+/// neighbour lists takes longer. The hash is that of the state after the steps, all zeros if the repeats differ.
+inline Json time_steps(const Shot &loaded, int steps, int threads, const Plan &plan) {
   omp_set_num_threads(threads);
-  Timing timing;
-  timing.threads = threads;
   std::array<std::vector<double>, ogive::phase_count> phases;
   std::vector<double> step, rebuild;
+  std::uint64_t first = 0;
+  bool equal = true;
   for (int repeat = 0; repeat < plan.repeats; ++repeat) {
     Window sum;
     double total = 0;
@@ -279,29 +236,27 @@ inline Timing measure(const Shot &loaded, int steps, int threads, const Plan &pl
       for (std::size_t k = 0; k < ogive::phase_count; ++k) sum.seconds[k] += w.seconds[k], total += w.seconds[k];
       sum.steps += w.steps, sum.rebuilds += w.rebuilds, sum.rebuild_seconds += w.rebuild_seconds;
       const auto hash = ogive::state_hash(model);
-      // Each round must end alike: else the hash is zero, which equals no other.
-      timing.hash = repeat == 0 && rounds == 0 ? hash : timing.hash == hash ? hash : 0;
+      if (repeat == 0 && rounds == 0) first = hash;
+      equal = equal && hash == first;
     }
-    timing.rounds = rounds;
-    timing.rebuilds = sum.rebuilds / rounds;
     for (std::size_t k = 0; k < ogive::phase_count; ++k) phases[k].push_back(sum.seconds[k] / sum.steps);
     step.push_back(total / sum.steps);
     const double others = sum.seconds[static_cast<std::size_t>(Phase::neighbours)] - sum.rebuild_seconds;
     const bool both = sum.rebuilds > 0 && sum.rebuilds < sum.steps;
     rebuild.push_back(both ? sum.rebuild_seconds / sum.rebuilds - others / (sum.steps - sum.rebuilds) : 0);
   }
-  for (std::size_t k = 0; k < ogive::phase_count; ++k) timing.phases[k] = median(phases[k]);
-  timing.step = median(step);
-  timing.rebuild = median(rebuild);
+  Json medians;
+  for (std::size_t k = 0; k < ogive::phase_count; ++k)
+    medians[std::string(ogive::name(static_cast<Phase>(k)))] = median(phases[k]);
   const auto [least, most] = std::minmax_element(step.begin(), step.end());
-  timing.spread = (*most - *least) / timing.step;
-  return timing;
+  char hash[32];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(equal ? first : 0));
+  return {{"threads", threads},  {"step_s", median(step)},       {"spread", (*most - *least) / median(step)},
+          {"phases_s", medians}, {"rebuild_s", median(rebuild)}, {"state_hash", hash}};
 }
 
 /// Shoots a quarter of about `particles` particles. `progress(text)` is called now and then.
-inline ShotResult measure_shot(double particles, const Plan &plan,
-                               const std::function<void(const std::string &)> &progress) {
-  ShotResult result;
+inline Json measure_shot(double particles, const Plan &plan, const std::function<void(const std::string &)> &progress) {
   omp_set_num_threads(*std::max_element(plan.threads.begin(), plan.threads.end()));
   progress("loading the plate");
   const double before = restart_peak();
@@ -310,18 +265,22 @@ inline ShotResult measure_shot(double particles, const Plan &plan,
   advance_until(loaded, [&](const Window &w) { return w.steps >= plan.load_steps && loaded.time >= plan.load_time; });
   advance_until(loaded, [](const Window &w) { return w.rebuilds > 0 || w.steps >= 100; });
   const auto &disc = ogive::disc(loaded);
-  result.memory = memory_of(disc, loaded.nodes);
-  result.memory.process = peak_bytes() - before;
-  result.spacing = disc.spacing;
-  result.start_time = loaded.time;
-  result.start_step = loaded.steps;
-  result.work = count_work(disc, loaded.nodes);
-  result.hexes = static_cast<std::int64_t>(ogive::rim(loaded).hexes.size() + ogive::projectile(loaded).hexes.size());
-  for (const auto &contact : loaded.contacts) result.slaves += static_cast<std::int64_t>(contact.slaves.size());
-  result.steps = plan.steps > 0 ? plan.steps : whole_cycles(loaded);
+  Json result = work_of(disc, loaded.nodes);
+  result["memory_bytes"] = memory_of(disc, loaded.nodes);
+  result["memory_bytes"]["process"] = peak_bytes() - before;
+  result["spacing_m"] = disc.spacing;
+  result["hexes"] = ogive::rim(loaded).hexes.size() + ogive::projectile(loaded).hexes.size();
+  std::size_t slaves = 0;
+  for (const auto &contact : loaded.contacts) slaves += contact.slaves.size();
+  result["slaves"] = slaves;
+  result["start_time_s"] = loaded.time;
+  result["start_step"] = loaded.steps;
+  const auto [steps, rebuilds] = whole_cycles(loaded, plan.steps);
+  result["steps"] = steps;
+  result["rebuilds"] = rebuilds;
   for (const int threads : plan.threads) {
     progress(std::to_string(threads) + (threads == 1 ? " thread" : " threads"));
-    result.timings.push_back(measure(loaded, result.steps, threads, plan));
+    result["timings"].push_back(time_steps(loaded, steps, threads, plan));
   }
   return result;
 }
