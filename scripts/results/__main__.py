@@ -59,7 +59,7 @@ def read_options():
     option = command("figures", "figures", "make_figures",
                      "run or resume all shots of the paper's figures, draw them and make the page. What is done is not done "
                      "again. FIGURES, PAGE and PROGRAMS name other folders for shots, page and programs")
-    option("--quick", action="store_true", help="particles 1.5 mm apart, in vtk_out/figures_quick, the page in its folder page/")
+    option("--quick", action="store_true", help="particles 1.5 mm apart, in vtk_out/figures_quick and its page/")
     option("--page", action="store_true", dest="page_only", help="run no shots; draw what is missing and make the page")
     option("--published", action="store_true", help="take shots and pictures of the page as done; run no shots for pictures")
     option("--method", choices=("sfm", "stabilised", "adaptive"), default="sfm", help="of the shots, beside those there [sfm]")

@@ -6,8 +6,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from .data import (PAGE, InputError, close, half_width_mps, markdown_table, of_plate, read_results, read_tests,
-                   read_toml, short)
+from .data import (PAGE, InputError, Results, Tests, close, half_width_mps, markdown_table, of_plate, read_toml, short)
 from .kinds import KINDS, NUMBER, Missing, limit_against_test, plate_text
 
 CHECKS = PAGE / "acceptance.toml"
@@ -225,7 +224,7 @@ def figure_table(results):
 
 def accept(folder, figures, checks, spacing_mm):
     """Prints a line for each check, or the status of each figure; gives 1 if a check failed or lacks its data."""
-    results = run_checks(read_results(folder), read_tests(), checks, spacing_mm)
+    results = run_checks(Results(folder), Tests(), checks, spacing_mm)
     if figures:
         print(figure_table(results))
         return 0

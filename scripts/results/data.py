@@ -11,7 +11,6 @@ import math
 import os
 import re
 import tomllib
-from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -103,18 +102,19 @@ def read_table(file, required=()):
     return [Row(dict(zip(header, fields)), f"{file}:{number}") for number, fields in records]
 
 
-def read_json(file):
+def _parsed(file, parse, kind):
     try:
-        return json.loads(Path(file).read_text(encoding="utf-8"))
+        return parse(Path(file).read_text(encoding="utf-8"))
     except ValueError as error:
-        raise InputError(f"{file}: is no JSON: {error}") from None
+        raise InputError(f"{file}: is no {kind}: {error}") from None
+
+
+def read_json(file):
+    return _parsed(file, json.loads, "JSON")
 
 
 def read_toml(file):
-    try:
-        return tomllib.loads(Path(file).read_text(encoding="utf-8"))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{file}: is no TOML: {error}") from None
+    return _parsed(file, tomllib.loads, "TOML")
 
 
 def write_text(file, text):
@@ -141,6 +141,11 @@ def markdown_table(header, rows):
 def metal_of(material):
     """Name of a metal in the tables of tests: several materials of the library are one metal."""
     return "Weldox 460 E" if material.startswith("weldox") else "AA5083-H116"
+
+
+def plate_of(row):
+    """Metal, nose and thickness of a shot or a limit."""
+    return metal_of(row["material"]), row["nose"], row["thickness_mm"]
 
 
 def of_plate(rows, metal, nose, thickness_mm, model="mjc", method="sfm", spacing_mm=None):
@@ -253,32 +258,24 @@ def read_fits(folder):
     return rows
 
 
-@dataclass
 class Results:
     """Everything that a folder holds."""
-    folder: Path
-    shots: list
-    limits: list
-    projectiles: list
-    fits: list
+
+    def __init__(self, folder):
+        self.folder, self.shots, self.limits = folder, read_shots(folder), read_limits(folder)
+        self.projectiles, self.fits = read_projectiles(folder), read_fits(folder)
 
     def has_picture(self, name):
         """Pictures lie beside the rows of a campaign, and one folder up from those of a page."""
         return (self.folder / name).exists() or (self.folder.parent / name).exists()
 
 
-def read_results(folder):
-    folder = Path(folder)
-    return Results(folder, read_shots(folder), read_limits(folder), read_projectiles(folder), read_fits(folder))
-
-
-@dataclass
 class Tests:
     """The tables in apps/data."""
-    shots: list
-    limits: list
-    listed: list
-    paper: list
+
+    def __init__(self):
+        self.shots, self.limits, self.listed, self.paper = (read_table(TESTS / f"{name}.csv") for name in (
+            "experiment_shots", "experiment_limits", "figure_shots", "paper_simulations"))
 
     def _of(self, rows, metal, nose, thickness_mm):
         return [row for row in rows if row["material"] == metal and row["nose"] == nose
@@ -298,8 +295,3 @@ class Tests:
     def paper_velocity_mps(self, *plate):
         """The strike velocity that the paper names as close to its limit (its Fig. 10); None where there is none."""
         return next((row["initial_velocity_mps"] for row in self._of(self.paper, *plate) if row["figure"] == 10), None)
-
-
-def read_tests(folder=TESTS):
-    return Tests(*(read_table(folder / name) for name in ("experiment_shots.csv", "experiment_limits.csv",
-                                                          "figure_shots.csv", "paper_simulations.csv")))

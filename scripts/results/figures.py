@@ -44,21 +44,14 @@ def times(shots, wanted):
 class Campaign:
     """Where a campaign is, and the steps of it that failed."""
 
-    def __init__(self, figures, programs, method, spacing):
-        self.figures, self.programs, self.method, self.spacing = figures, programs, method, spacing
-        self.failed = []
+    def __init__(self, figures, programs, spacing):
+        self.figures, self.programs, self.spacing, self.failed = figures, programs, spacing, []
 
     def attempt(self, text, *command, **options):
         """Runs a command; if it fails that is reported at the end."""
         status = subprocess.run(list(map(str, command)), check=False, **options).returncode
         if status:
             self.failed.append(f"{text} (exit status {status})")
-
-    def run(self, name, quick, published, page_only, jobs):
-        options = (["--quick"] if quick else []) + (["--no-pictures"] if published else []) + (
-            ["--no-run"] if page_only else ["--jobs", jobs] if jobs else [])
-        self.attempt(name, self.programs / name, *options, "--method", self.method, "--out", self.figures,
-                     "--spacing-mm", short(self.spacing), stdout=subprocess.DEVNULL if page_only else None)
 
     def fit(self, page_only):
         folder, program = self.figures / "figures_1_to_3", self.programs / "ogive"
@@ -126,9 +119,11 @@ def make_figures(quick, page_only, published, method, jobs):
     sys.stdout.reconfigure(line_buffering=True)
     if published:
         take_published(page, figures)
-    campaign = Campaign(figures, programs, method, 1.5 if quick else 0.6)
+    campaign = Campaign(figures, programs, 1.5 if quick else 0.6)
+    options = ["--method", method, "--out", figures, "--spacing-mm", short(campaign.spacing), *(["--quick"] if quick else []),
+               *(["--no-pictures"] if published else []), *(["--no-run"] if page_only else ["--jobs", jobs] if jobs else [])]
     for name in CAMPAIGNS:
-        campaign.run(name, quick, published, page_only, jobs)
+        campaign.attempt(name, programs / name, *options, stdout=subprocess.DEVNULL if page_only else None)
     campaign.fit(page_only)
     campaign.draw(4, [], "--projectiles")
     campaign.draw(5, [], "--mesh", "--thickness-mm", 12, "--spacing-mm", campaign.spacing, "--nose", "blunt")

@@ -54,8 +54,8 @@ def tables(folder):
         markdown_table(header, [
             ["paper, Table 1", "503", "581", "0.481", "0.01", "0.94", ""],
             row("MJC", "weldox"),
-            ["MJC at 7.4e-4 1/s (Fig. 1a read as it stands)", *(f"{steel['quasi_static'][key]:.1f}" for key in ("A_MPa", "B_MPa")),
-             f"{steel['a']:.4f}", "", "", ""],
+            ["MJC at 7.4e-4 1/s (Fig. 1a read as it stands)",
+             *(f"{steel['quasi_static'][key]:.1f}" for key in ("A_MPa", "B_MPa")), f"{steel['a']:.4f}", "", "", ""],
             ["MJC, all parameters at once", *(f"{once[key]:.{digits}f}" for key, digits in (
                 ("A_MPa", 1), ("B_MPa", 1), ("a", 4), ("C", 5), ("b", 4), ("rms_percent", 2)))],
             row("MJC, `--isothermal`", "weldox_isothermal"),

@@ -15,8 +15,8 @@ from markupsafe import Markup
 
 from . import data
 from .checks import BEYOND, CHECKS, FACTS, run_checks, status_of_figure, summary
-from .data import (KEY_COLUMNS, LAWS, PROGRAMS, RECORD_COLUMNS, ROOT, InputError, close, csv_text, ended_by_time, half_width_mps,
-                   metal_of, of_plate, percent_of, short, write_text)
+from .data import (KEY_COLUMNS, LAWS, PROGRAMS, RECORD_COLUMNS, ROOT, InputError, close, csv_text, ended_by_time,
+                   half_width_mps, of_plate, percent_of, plate_of, short, stale_limits, write_text)
 from .kinds import shot_text
 
 METHODS = {"sfm": "paper's method"}
@@ -42,14 +42,13 @@ class Page:
     """All that was read, the results of the checks, and the tables that the template lays out."""
 
     def __init__(self, folder, checks, spacing_mm=None):
-        self.results, self.tests, self.facts = data.read_results(folder), data.read_tests(), read_facts(FACTS)
+        self.results, self.tests, self.facts = data.Results(folder), data.Tests(), read_facts(FACTS)
         self.usual_mm = data.read_toml(checks).get("defaults", {}).get("spacing_mm", 0)
         self.spacing_mm = self.usual_mm if spacing_mm is None else spacing_mm
         self.checks = run_checks(self.results, self.tests, checks, self.spacing_mm)
         self.methods = sorted({row["method"] for row in self.results.shots})
         self.beyond = [r for r in run_checks(self.results, self.tests, BEYOND, self.spacing_mm)
                        if r.id.partition("_")[0] in self.methods and not r.id.startswith("sfm_")]
-        self.coarse = not close(self.spacing_mm, self.usual_mm, 1e-9)
 
     def checks_of(self, figure):
         return [result for result in self.checks if figure in result.figures]
@@ -75,9 +74,8 @@ class Page:
 
     def picture_shots(self, figure):
         """(row of the list, row of the shot or None) for each shot of a picture."""
-        return [(row, self.shot((metal_of(row["material"]), row["nose"], row["thickness_mm"]),
-                                row["initial_velocity_mps"], row["model"]))
-                for row in self.tests.listed if row["figure"] == figure and row["use"] == "picture"]
+        return [(row, self.shot(plate_of(row), row["initial_velocity_mps"], row["model"])) for row in self.tests.listed
+                if row["figure"] == figure and row["use"] == "picture"]
 
     def missing_shots(self, figure):
         return "; ".join(f"{short(row['thickness_mm'])} mm, {short(row['initial_velocity_mps'])} m/s"
@@ -173,9 +171,8 @@ class Page:
                    "band_temperature_K": 0, "core_temperature_K": 0}
         rows = []
         for listed, shot in self.picture_shots(fact["number"]):
-            plate = (metal_of(listed["material"]), listed["nose"], listed["thickness_mm"])
-            rows.append([f"{short(plate[2])} mm, {plate[1]}", short(listed["initial_velocity_mps"]),
-                         short(self.tests.limit_mps(*plate))])
+            rows.append([f"{short(listed['thickness_mm'])} mm, {listed['nose']}", short(listed["initial_velocity_mps"]),
+                         short(self.tests.limit_mps(*plate_of(listed)))])
             rows[-1] += ["not run yet"] + ["–"] * 7 if shot is None else [
                 "yes" if shot["perforated"] else "no", fixed(shot["residual_velocity_mps"]),
                 *(fixed(shot.get(name), decimals) for name, decimals in columns.items())]
@@ -184,8 +181,7 @@ class Page:
 
     def limits(self):
         rows = []
-        for r in sorted(self.results.limits, key=lambda r: (metal_of(r["material"]) != "Weldox 460 E", r["nose"],
-                                                            r["thickness_mm"], r["model"] != "mjc", r["method"])):
+        for r in sorted(self.results.limits, key=lambda r: (*steel_first(plate_of(r)), r["model"] != "mjc", r["method"])):
             limit, fit, test, paper = (r[c] for c in ("bisection_limit_mps", "fit_limit_mps", "test_limit_mps",
                                                       "paper_velocity_mps"))
 
@@ -194,7 +190,7 @@ class Page:
                 return fixed(r[f"fit_{name}"], 2, r[f"fit_{name}_se"]) + (
                     f" ({origin})" if origin and origin != "fitted" else "")
 
-            rows.append([plate_name((metal_of(r["material"]), r["nose"], r["thickness_mm"])),
+            rows.append([plate_name(plate_of(r)),
                          LAWS.get(r["model"], r["model"]) + ("" if len(self.methods) < 2 else f", {r['method']}"),
                          fixed(limit, 1, half_width_mps(r)) + ("" if r["consistent"] else " †"),
                          fixed(fit, 1, r["fit_limit_se_mps"]), parameter("a"), parameter("p"),
@@ -213,29 +209,30 @@ class Page:
 
     def beyond_limits(self):
         methods = ["sfm", *self.beyond_methods()]
-        plates = {(metal_of(r["material"]), r["nose"], r["thickness_mm"]) for r in self.results.limits
-                  if r["method"] != "sfm"}
+        plates = {plate_of(r) for r in self.results.limits if r["method"] != "sfm"}
         rows = [[plate_name(plate), short(self.tests.limit_mps(*plate)),
                  *(cell for method in methods for cell in self._limit_cells(plate, "mjc", method))]
-                for plate in sorted(plates, key=lambda plate: (plate[0] != "Weldox 460 E", *plate[1:]))]
+                for plate in sorted(plates, key=steel_first)]
         heads = [text for method in methods for text in (f"{METHODS.get(method, method)}, m/s", "off, %")]
         return Table(["plate", "test, m/s", *heads], rows, range(1, 2 + len(heads)))
 
     def cost(self, method):
         """Processor time of a method's shots over that of the paper's method for the same shots; None without any."""
         def seconds(method):
-            return {s.key(KEY_COLUMNS[1:]): s["cpu_s"] for s in self.results.shots if s["method"] == method and s.get("cpu_s")}
+            return {s.key(KEY_COLUMNS[1:]): s["cpu_s"] for s in self.results.shots
+                    if s["method"] == method and s.get("cpu_s")}
 
         ours, paper = seconds(method), seconds("sfm")
-        both = ours.keys() & paper.keys()
-        return sum(ours[key] for key in sorted(both)) / sum(paper[key] for key in sorted(both)) if both else None
-
-    def stale_limits(self):
-        return data.stale_limits(self.results)
+        both = sorted(ours.keys() & paper.keys())
+        return sum(ours[key] for key in both) / sum(paper[key] for key in both) if both else None
 
 
 def plate_name(plate):
     return f"{short(plate[2])} mm {plate[0]}, {plate[1]}"
+
+
+def steel_first(plate):
+    return plate[0] != "Weldox 460 E", *plate[1:]
 
 
 def read_facts(file):
@@ -247,6 +244,10 @@ def read_facts(file):
     return facts
 
 
+def document(name, link_prefix):
+    return from_markdown((ROOT / "docs" / name).read_text(encoding="utf-8"), link_prefix)
+
+
 def from_markdown(text, link_prefix):
     """Markdown without its title as HTML. Links to files get `link_prefix`, or are dropped if it is None."""
     text = re.sub(r"^(?!- | )(.+)\n(?=- )", r"\1\n\n", text, flags=re.MULTILINE)  # lists need a blank line before
@@ -255,8 +256,8 @@ def from_markdown(text, link_prefix):
         text = re.sub(r'<a href="(?!https?:)[^"]*">(.*?)</a>', r"\1", text)
     else:
         text = re.sub(r'href="(?!https?:)', f'href="{link_prefix}', text)
-    text = text.replace("h2>", "h3>").replace("<table>", '<div class="scroll"><table>').replace("</table>", "</table></div>")
-    return Markup(text)
+    text = text.replace("<table>", '<div class="scroll"><table>').replace("</table>", "</table></div>")
+    return Markup(text.replace("h2>", "h3>"))
 
 
 def build_of(folder):
@@ -269,7 +270,8 @@ def build_of(folder):
     compiler = dict(re.findall(r'set\(CMAKE_CXX_COMPILER_(ID|VERSION) "([^"]*)"\)',
                                content("CMakeFiles/*/CMakeCXXCompiler.cmake")))
     # Those of the program that runs the shots.
-    flags = re.search(r"^build apps/\S*ogive\w*\.dir/\S*main\.cpp\.o:.*\n(?:  .*\n)*?  FLAGS = (.*)", content("build.ninja"), re.MULTILINE)
+    flags = re.search(r"^build apps/\S*ogive\w*\.dir/\S*main\.cpp\.o:.*\n(?:  .*\n)*?  FLAGS = (.*)",
+                      content("build.ninja"), re.MULTILINE)
     return {"compiler": " ".join(compiler.values()) or None, "build_type": cache.get("CMAKE_BUILD_TYPE"),
             "flags": flags[1] if flags else None}
 
@@ -337,10 +339,11 @@ def make_page(folder, out, checks=CHECKS, spacing_mm=None):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(Path(__file__).parent / "templates"), autoescape=True,
                                      trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
     environment.filters["short"] = short
-    write_text(out / "index.html", environment.get_template("page.html").render(
-        page=page, pictures=pictures, record=record, prefix=prefix, summary=summary, shot_text=shot_text,
-        status_of_figure=status_of_figure, document=lambda name: from_markdown((ROOT / "docs" / name).read_text(encoding="utf-8"), prefix)) + "\n")
-    for line in page.stale_limits():
+    environment.globals.update(summary=summary, shot_text=shot_text, stale_limits=stale_limits,
+                               status_of_figure=status_of_figure, document=lambda name: document(name, prefix))
+    write_text(out / "index.html", environment.get_template("page.html").render(page=page, pictures=pictures, record=record,
+                                                                                prefix=prefix) + "\n")
+    for line in stale_limits(page.results):
         print(f"results: {line}", file=sys.stderr)
     print(f"{out / 'index.html'}: {len(page.results.shots)} shots, {len(pictures)} pictures, checks: "
           f"{summary(page.checks)}")

@@ -97,8 +97,8 @@ def tables(report):
                  "of triad, %", "bound by"],
                 [[str(shot["particles"]), str(timing["threads"]), *row] for shot, timing, limits in every
                  for row in bounds(shot, timing, limits)]),
-        "What was computed: neighbours of a particle within the support, entries in the list of a cluster and those within the "
-        "support of one of its particles, and how many of the pairs that the two loops compute count:",
+        "What was computed: neighbours of a particle within the support, entries in the list of a cluster and those within "
+        "the support of one of its particles, and how many of the pairs that the two loops compute count:",
         aligned(["particles", "spacing, mm", "images", "hexes", "flowing, %", "neighbours", "list", "within", "gradient, %",
                  "force, %", "first step", "at, us", "steps", "new lists"], list(map(work, shots))),
         "Memory of the disc, byte per particle, and the most that the process took, with hexes, contact and what is needed for "
@@ -106,7 +106,8 @@ def tables(report):
         aligned(["particles", "nodes", "points", "pair data", "places", "lists", "sum", "process, MB",
                  "process, byte/particle"], list(map(memory, shots))),
         "State after the steps that were timed:",
-        aligned(["particles", "hash of the state", "threads that lead to it"], [row for shot in shots for row in states(shot)])])
+        aligned(["particles", "hash of the state", "threads that lead to it"],
+                [row for shot in shots for row in states(shot)])])
 
 
 def make_tables(file, put_in=False):

@@ -4,8 +4,8 @@ from functools import partial
 from typing import Callable, NamedTuple
 
 from . import sweeps as runs
-from .data import (KEY_COLUMNS, PAGE, ROOT, InputError, half_width_mps, markdown_table, of_plate, read_limits, read_shots,
-                   read_table, read_tests, short)
+from .data import (KEY_COLUMNS, PAGE, ROOT, InputError, Tests, half_width_mps, markdown_table, of_plate, read_limits,
+                   read_shots, read_table, short)
 from .insert import insert
 from .sweeps import Sweep
 
@@ -27,14 +27,19 @@ class Column(NamedTuple):
         return f"({text})" if of_curve else text
 
 
-INITIAL, RESIDUAL = Column("initial, m/s", "initial_velocity_mps", ".1f"), Column("computed, m/s", "residual_velocity_mps", ".1f")
-TEST, PLUG = Column("test, m/s", "test_residual_velocity_mps", ".1f"), Column("plug, g", "plug_mass_g", ".1f")
-INTRUSION, COST = Column("intrusion, mm", "largest_intrusion_mm", ".3f"), Column("processor, s", "cpu_s", ".0f")
+INITIAL = Column("initial, m/s", "initial_velocity_mps", ".1f")
+TEST = Column("test, m/s", "test_residual_velocity_mps", ".1f")
+RESIDUAL = Column("computed, m/s", "residual_velocity_mps", ".1f")
+PLUG = Column("plug, g", "plug_mass_g", ".1f")
 ENERGY, FINE_ENERGY = (Column("energy error, %", "energy_error", digits, 100) for digits in (".3f", ".4f"))
-DISHING, BONDS = Column("dishing at the end, mm", "dishing_mm", ".2f"), Column("bonds, % of energy", "hourglass_fraction", ".2f", 100)
+INTRUSION = Column("intrusion, mm", "largest_intrusion_mm", ".3f")
+DISHING = Column("dishing at the end, mm", "dishing_mm", ".2f")
+BONDS = Column("bonds, % of energy", "hourglass_fraction", ".2f", 100)
+COST = Column("processor, s", "cpu_s", ".0f")
 SHOTS = (INITIAL, TEST, RESIDUAL, PLUG, ENERGY, INTRUSION, Column("momentum error", "momentum_error", ".0e"),
          Column("steps", "steps", ".0f"))
-STABILISED = (INITIAL, TEST, RESIDUAL, PLUG, Column("failed particles", "failed_particles", ".0f"), DISHING, BONDS, ENERGY, COST)
+STABILISED = (INITIAL, TEST, RESIDUAL, PLUG, Column("failed particles", "failed_particles", ".0f"), DISHING, BONDS, ENERGY,
+              COST)
 ADAPTIVE = (INITIAL, TEST, RESIDUAL, PLUG, Column("hexes failed, distorted", "failed_hexes distorted_hexes", ".0f"),
             Column("dishing at the end, at rest, mm", "dishing_mm dishing_at_rest_mm", ".2f"),
             BONDS._replace(title="hourglass, % of energy"), FINE_ENERGY, INTRUSION, COST)
@@ -62,7 +67,7 @@ def damage(sweeps):
     thin, thick = map(runs.limits, sweeps)
     found = [(case["text"], thin[case["name"]], thick[case["name"]]) for case in runs.cases(sweeps[0])
              if case["name"] in thin.keys() & thick.keys()]
-    tests = ("tests", *(read_tests().limit_mps(*STEEL, thickness) for thickness in (6, 12)))
+    tests = ("tests", *(Tests().limit_mps(*STEEL, thickness) for thickness in (6, 12)))
     return found and markdown_table(["case", "6 mm, m/s", "12 mm, m/s", "6 mm over 12 mm"], [
         [text, f"{a:.1f}", f"{b:.1f}", f"{a / b:.2f}"] for text, a, b in [tests, *found]])
 
@@ -74,7 +79,7 @@ def sizes(method, things, sweeps):
         thickness = float(case["thickness_mm"])
         page = of_plate(read_limits(PAGE / "data"), *STEEL, thickness, "mjc", method)
         limits = {size: found[size].get(case["name"]) for size in found} | {0.6: page[0]["bisection_limit_mps"]}
-        rows.append([f"{thickness:g} mm", f"{read_tests().limit_mps(*STEEL, thickness):.1f}",
+        rows.append([f"{thickness:g} mm", f"{Tests().limit_mps(*STEEL, thickness):.1f}",
                      *(f"{limits[size]:.1f}" if limits[size] else "–" for size in (1.2, 0.8, 0.6, 0.45)),
                      *(percent(limits[size], limits[0.6]) for size in (0.8, 0.45))])
     return any(found.values()) and markdown_table(
@@ -132,7 +137,7 @@ def limits(_):
 
 def residuals(_):
     """Of the stabilised particles at 12 mm, on the page, at the velocities of measured shots."""
-    tests = {test["initial_velocity_mps"]: test["residual_velocity_mps"] for test in read_tests().shots_of(*STEEL, 12)}
+    tests = {test["initial_velocity_mps"]: test["residual_velocity_mps"] for test in Tests().shots_of(*STEEL, 12)}
     columns = (INITIAL, TEST, RESIDUAL, PLUG, DISHING, BONDS, FINE_ENERGY)
     found = of_plate(read_shots(PAGE / "data"), *STEEL, 12, "mjc", "stabilised")
     return markdown_table([column.title for column in columns], [
@@ -147,10 +152,10 @@ class Table(NamedTuple):
 
 
 def sizes_of(method, things, caption):
-    return Table(f"{caption}, other sizes of {things}: limits by bisection to 2.5 m/s. Those with 0.6 mm are those of the page of "
-                 "results.", partial(sizes, method, things),
-                 tuple(Sweep(f"limits_{method}_{size}mm", "limits", f"--limit --method {method} --model mjc --spacing-mm {size}")
-                       for size in (1.2, 0.8, 0.45)))
+    return Table(f"{caption}, other sizes of {things}: limits by bisection to 2.5 m/s. Those with 0.6 mm are those of the page "
+                 "of results.", partial(sizes, method, things), tuple(
+                     Sweep(f"limits_{method}_{size}mm", "limits", f"--limit --method {method} --model mjc --spacing-mm {size}")
+                     for size in (1.2, 0.8, 0.45)))
 
 
 def cost_of(method):
@@ -178,8 +183,8 @@ TABLES = {
               "shots:", residuals)]),
     "stabilised": ("beyond", [
         Table("Stabilised, one parameter at a time, particles 0.8 mm apart:", partial(shots, STABILISED), tuple(
-            Sweep(f"stabilised_{thickness}mm", "stabilised", "--method stabilised --model mjc --spacing-mm 0.8 --thickness-mm "
-                  f"{thickness} --velocity-mps {velocity}", f"{thickness} mm, {{}}")
+            Sweep(f"stabilised_{thickness}mm", "stabilised", "--method stabilised --model mjc --spacing-mm 0.8 "
+                  f"--thickness-mm {thickness} --velocity-mps {velocity}", f"{thickness} mm, {{}}")
             for thickness, velocity in ((12, 224.7), (6, 170))))]),
     "adaptive": ("beyond", [Table(caption, partial(shots, ADAPTIVE), (Sweep(name, name, "--method adaptive"),))
                             for name, caption in (
@@ -198,8 +203,8 @@ TABLES = {
     "cost": ("beyond", [cost_of("adaptive"), cost_of("stabilised")]),
     "timing": ("beyond", [
         Table("Processor time of one shot with either method, one after the other, one thread, modified law, 0.6 mm:", timing,
-              tuple(Sweep(f"timing_{method}", "timing", f"--model mjc --spacing-mm 0.6 --method {method} --threads 1 --jobs 1")
-                    for method in ("sfm", "adaptive")))]),
+              tuple(Sweep(f"timing_{way}", "timing", f"--model mjc --spacing-mm 0.6 --method {way} --threads 1 --jobs 1")
+                    for way in ("sfm", "adaptive")))]),
 }
 
 

@@ -431,7 +431,7 @@ class Figures(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         self.folder = Path(temporary.name)
-        self.campaign = figures.Campaign(self.folder, self.folder, "sfm", 0.6)
+        self.campaign = figures.Campaign(self.folder, self.folder, 0.6)
         self.commands = []
         patch = mock.patch.object(figures.Campaign, "attempt", lambda _, *command, **__: self.commands.append(command))
         patch.start()
