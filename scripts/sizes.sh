@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# sizes.sh: lines of the files in apps, scripts + bench and include, tests aside. Tables of tests (apps/data) and lists of
-# cases count with the rest.
+# sizes.sh: lines (wc -l) of apps, scripts + bench and include; tables and lists of cases (*.csv, apps/data) and CMake
+# files beside them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-lines() { # folder...
-  printf '%-18s %6d lines in %d files\n' "$(printf '%s + ' "$@" | sed 's/ + $//')" \
-    "$(git ls-files -z -- "$@" | xargs -0 cat | wc -l)" "$(git ls-files -- "$@" | wc -l)"
+lines() { git ls-files -z -- "$@" | xargs -0 -r cat | wc -l; }
+row() { # text folder...
+  local all code
+  all=$(lines "${@:2}")
+  code=$(lines "${@:2}" ':!*.csv' ':!apps/data' ':!*CMakeLists.txt' ':!*.cmake')
+  printf '%-16s %6d lines, %5d of data and CMake beside them\n' "$1" "$code" $((all - code))
 }
-lines apps
-lines scripts bench
-lines include
+row apps apps
+row 'scripts + bench' scripts bench
+row include include
