@@ -11,8 +11,7 @@ if [ "${1:-}" = --insert ]; then
   shift
 fi
 "$root/scripts/build.sh" bench_step
-mkdir -p "$root/vtk_out/bench"
 numbers=$root/vtk_out/bench/performance.json
-# As scripts/run.sh does.
+mkdir -p "$root/vtk_out/bench"
 GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}" "$root/build/release/bench/bench_step" "$@" > "$numbers"
 "$root/scripts/results.sh" performance "$numbers" "${insert[@]}"

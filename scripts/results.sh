@@ -5,11 +5,8 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # Jinja2 and Markdown come from Debian; another Python that is first in the path may lack them.
-python=
-for candidate in python3 /usr/bin/python3; do
-  if [ -z "$python" ] && "$candidate" -c 'import jinja2, markdown, tomllib' 2>/dev/null; then python=$candidate; fi
-done
-if [ -z "$python" ]; then
+python=python3
+if ! python3 -c 'import jinja2, markdown, tomllib' 2>/dev/null; then
   "$root/scripts/setup.sh"
   python=/usr/bin/python3
 fi

@@ -153,11 +153,11 @@ inline double peak_bytes() {
 /// What to measure.
 struct Plan {
   std::vector<int> threads;
-  int steps = 0;           ///< that are timed; 0: whole cycles between two rebuilds of the neighbour lists
-  int repeats = 3;         ///< measurements, of which the median counts
-  double seconds = 3;      ///< at least, of one measurement: the steps are repeated from the same state
-  double load_time = 2e-6; ///< s of simulated time before the steps that are timed
-  int load_steps = 30;     ///< at least
+  std::vector<double> sizes{3000, 25000, 100000, 1000000}; ///< particles of the computed quarter
+  int steps = 0;      ///< that are timed; 0: whole cycles between two rebuilds of the neighbour lists
+  int repeats = 3;    ///< measurements, of which the median counts
+  bool quick = false; ///< short measurements of the machine
+  double seconds = 3; ///< at least, of one measurement: the steps are repeated from the same state
 };
 
 /// A quarter of about so many particles: 12 mm Weldox 460 E, blunt projectile, 303.5 m/s.
@@ -261,8 +261,8 @@ inline Json measure_shot(double particles, const Plan &plan, const std::function
   progress("loading the plate");
   const double before = restart_peak();
   Shot loaded = make_shot(particles);
-  // Until the plate is loaded and its lists have just been built, so that cycles of them begin here.
-  advance_until(loaded, [&](const Window &w) { return w.steps >= plan.load_steps && loaded.time >= plan.load_time; });
+  // Until the plate is loaded, at 2 us, and its lists have just been built, so that cycles of them begin here.
+  advance_until(loaded, [&](const Window &w) { return w.steps >= 30 && loaded.time >= 2e-6; });
   advance_until(loaded, [](const Window &w) { return w.rebuilds > 0 || w.steps >= 100; });
   const auto &disc = ogive::disc(loaded);
   Json result = work_of(disc, loaded.nodes);

@@ -185,9 +185,8 @@ def run_checks(results, tests, file=CHECKS, spacing_mm=None):
         defaults["spacing_mm"] = spacing_mm
     checks = [Check(table, defaults, results, tests, Path(file)) for table in tables.get("check", [])]
     ids = [check.table["id"] for check in checks]
-    for name in ids:
-        if ids.count(name) > 1:
-            raise InputError(f"{file}: id = {name}: must be the id of one check only")
+    for name in (name for name in ids if ids.count(name) > 1):
+        raise InputError(f"{file}: id = {name}: must be the id of one check only")
     if not checks:
         raise InputError(f"{file}: has no [[check]]")
     return [check.result() for check in checks]

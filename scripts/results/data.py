@@ -96,8 +96,8 @@ def read_records(file):
 def read_table(file, required=()):
     """Rows of a CSV file."""
     header, records = read_records(file)
-    for column in required if header else ():
-        if column not in header:
+    for column in required:
+        if header and column not in header:
             raise InputError(f"{file}: columns = {', '.join(header)[:80]}: must hold {column}")
     return [Row(dict(zip(header, fields)), f"{file}:{number}") for number, fields in records]
 

@@ -20,9 +20,8 @@ class Shot:
     """A shot of a picture, of the modified law, in the folder that the programs of the figures give it."""
 
     def __init__(self, figures, method, material, nose, thickness, velocity, spacing):
-        prefix = "" if method == "sfm" else f"{method}_"
-        self.thickness, self.velocity = thickness, velocity
-        self.folder = figures / "shots" / f"{prefix}mjc_{material}_{nose}_{thickness}mm_{velocity}mps_{short(spacing)}mm"
+        name = f"{method}_mjc_{material}_{nose}_{thickness}mm_{velocity}mps_{short(spacing)}mm".removeprefix("sfm_")
+        self.thickness, self.velocity, self.folder = thickness, velocity, figures / "shots" / name
         self.series = self.folder / "perforation.pvd"
 
     def is_there(self, number):
@@ -49,9 +48,12 @@ class Campaign:
 
     def attempt(self, text, *command, **options):
         """Runs a command; if it fails that is reported at the end."""
-        status = subprocess.run(list(map(str, command)), check=False, **options).returncode
-        if status:
-            self.failed.append(f"{text} (exit status {status})")
+        try:
+            subprocess.run(list(map(str, command)), check=True, **options)
+        except subprocess.CalledProcessError as error:
+            self.failed.append(f"{text} (exit status {error.returncode})")
+        except OSError as error:
+            self.failed.append(f"{text} ({error.filename}: {error.strerror})")
 
     def fit(self, page_only):
         folder, program = self.figures / "figures_1_to_3", self.programs / "ogive"

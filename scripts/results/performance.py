@@ -35,10 +35,9 @@ def bounds(shot, timing, limits):
 
 def states(shot):
     """Each hash with the numbers of threads that lead to it."""
-    threads = {}
-    for timing in shot["timings"]:
-        threads.setdefault(timing["state_hash"], []).append(str(timing["threads"]))
-    return [[str(shot["particles"]), found, ", ".join(numbers)] for found, numbers in threads.items()]
+    pairs = [(timing["state_hash"], str(timing["threads"])) for timing in shot["timings"]]
+    return [[str(shot["particles"]), found, ", ".join(threads for other, threads in pairs if other == found)]
+            for found in dict(pairs)]
 
 
 def tables(report):
