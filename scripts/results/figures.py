@@ -115,7 +115,7 @@ def make_figures(quick, page_only, published, method, jobs):
     figures = Path(os.environ.get("FIGURES") or ROOT / "vtk_out" / ("figures_quick" if quick else "figures")).resolve()
     page = Path(os.environ.get("PAGE") or (figures / "page" if quick else PAGE)).resolve()
     programs = Path(os.environ.get("PROGRAMS") or PROGRAMS).resolve()
-    if "PROGRAMS" not in os.environ:
+    if not os.environ.get("PROGRAMS"):
         subprocess.run([ROOT / "scripts" / "build.sh", "ogive", *CAMPAIGNS], check=True)
     os.environ.setdefault("GOMP_SPINCOUNT", "3000")  # as scripts/run.sh does
     sys.stdout.reconfigure(line_buffering=True)
