@@ -5,6 +5,7 @@ import csv
 import re
 import subprocess
 import sys
+from pathlib import Path
 from typing import NamedTuple
 
 from .data import PROGRAMS, ROOT, InputError, read_json, read_records, write_text
@@ -94,7 +95,16 @@ def summary(sweep, name):
 
 
 def limits(sweep):
-    """The limits that have been found, m/s, by the name of the case."""
-    file = FOLDER / sweep.folder / "limits.csv"
-    return {row["name"]: float(row["bisection_limit_mps"]) for row in (texts(file) if file.exists() else [])
-            if row["bisection_limit_mps"]}
+    """The limits that have been found, m/s, by the name of the case. The rows of limits have no names but values of all
+    options: that of a case has its values, and in columns that it leaves empty none that others of the list give."""
+    file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
+    columns = [column for column in listed[0] if column not in ("name", "text")]
+    given = {column: {case[column] for case in listed} - {""} for column in columns}
+
+    def value(row, column):
+        return Path(row[column]).name if column == "material" else row[column]
+
+    return {case["name"]: float(row["bisection_limit_mps"]) for case in listed
+            for row in (texts(file) if file.exists() else [])
+            if row["bisection_limit_mps"] and all(value(row, c) == case[c] if case[c] else value(row, c) not in given[c]
+                                                  for c in columns)}

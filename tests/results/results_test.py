@@ -385,11 +385,14 @@ class Tables(unittest.TestCase):
         for thickness, limit in ((6, 144.5), (12, 153.5)):
             (self.folder / f"damage_{thickness}mm").mkdir()
             (self.folder / f"damage_{thickness}mm" / "limits.csv").write_text(
-                f"name,material,bisection_limit_mps\nolder,x.toml,{limit}\nrigid,,\n")
-        self.assertEqual(self.table("damage")[-2:], ["| tests | 145.5 | 184.5 | 0.79 |",
-                                                     "| D1 to D5 of Børvik et al. 2001 | 144.5 | 153.5 | 0.94 |"])
+                "material,damage_softening,damage_length_mm,projectile,clamp_radius_mm,friction,bisection_limit_mps\n"
+                f"/a/boervik_2001.toml,0.6,0.22,deformable,250,0,{limit}\n/a/boervik_2001.toml,0.3,0.6,deformable,250,0,199\n"
+                "weldox_460e,0.6,0.22,rigid,250,0,\n")
+        self.assertEqual(self.table("damage")[-3:], ["| tests | 145.5 | 184.5 | 0.79 |",
+                                                     "| D1 to D5 of Børvik et al. 2001 | 144.5 | 153.5 | 0.94 |",
+                                                     "| the same, Dc 0.3, ℓ 0.6 mm | 199.0 | 199.0 | 1.00 |"])
         (self.folder / "limits_adaptive_0.45mm").mkdir()
-        (self.folder / "limits_adaptive_0.45mm" / "limits.csv").write_text("name,bisection_limit_mps\n6mm,144.5\n")
+        (self.folder / "limits_adaptive_0.45mm" / "limits.csv").write_text("thickness_mm,bisection_limit_mps\n6,144.5\n")
         self.assertEqual(self.table("sizes_adaptive")[6], "| 6 mm | 145.5 | – | – | 143.5 | 144.5 | – | +0.7 % |")
 
     def test_timing(self):
