@@ -2,13 +2,14 @@
 """results COMMAND [option]...: each command calls a function of one module."""
 
 import argparse
+import os
 import re
 import subprocess
 import sys
 from importlib import import_module
 from pathlib import Path
 
-from .data import PAGE, PROGRAMS, ROOT, InputError
+from .data import PAGE, ROOT, InputError
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -73,7 +74,7 @@ def read_options():
 
     option = command("fits", "fits", "make_fits", "fit the laws to the computed curves (Figs. 1 to 3) and print their tables")
     option("--folder", type=Path, default=ROOT / "build" / "figures_1_to_3", help="for the fits [build/figures_1_to_3]")
-    option("--program", type=Path, default=PROGRAMS / "ogive", help="[build/release/apps/ogive]")
+    option("--program", type=Path, help="[build/release/apps/ogive, which is built]")
     inserted(option)
 
     option = command("performance", "performance", "make_tables", "print the tables of docs/performance.md")
@@ -90,6 +91,7 @@ def read_options():
 def main():
     options = read_options()
     module, function = options.pop("call")
+    os.environ.setdefault("GOMP_SPINCOUNT", "3000")  # as scripts/with_display.sh does
     try:
         return getattr(import_module(f".{module}", __package__), function)(**options)
     except InputError as error:

@@ -10,6 +10,7 @@ import json
 import math
 import os
 import re
+import subprocess
 import tomllib
 from pathlib import Path
 
@@ -115,6 +116,11 @@ def read_json(file):
 
 def read_toml(file):
     return _parsed(file, tomllib.loads, "TOML")
+
+
+def build(*targets):
+    """Sets up and builds programs, where that is to be done."""
+    subprocess.run([ROOT / "scripts" / "build.sh", *targets], check=True)
 
 
 def write_text(file, text):

@@ -8,7 +8,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from . import fits
-from .data import PAGE, PROGRAMS, ROOT, InputError, short
+from .data import PAGE, PROGRAMS, ROOT, InputError, build, short
 from .page import make_page
 from .published import take_published
 
@@ -116,8 +116,7 @@ def make_figures(quick, page_only, published, method, jobs):
     page = Path(os.environ.get("PAGE") or (figures / "page" if quick else PAGE)).resolve()
     programs = Path(os.environ.get("PROGRAMS") or PROGRAMS).resolve()
     if not os.environ.get("PROGRAMS"):
-        subprocess.run([ROOT / "scripts" / "build.sh", "ogive", *CAMPAIGNS], check=True)
-    os.environ.setdefault("GOMP_SPINCOUNT", "3000")  # as scripts/run.sh does
+        build("ogive", *CAMPAIGNS)
     sys.stdout.reconfigure(line_buffering=True)
     if published:
         take_published(page, figures)

@@ -3,7 +3,7 @@
 import shutil
 import subprocess
 
-from .data import ROOT, TESTS, markdown_table, read_json
+from .data import PROGRAMS, ROOT, TESTS, build, markdown_table, read_json
 from .insert import insert
 
 STEEL = ["--data", TESTS / "synthetic_weldox_460e.csv", "--name", "Weldox 460 E computed", "--melting-K", 1800, "--density",
@@ -73,7 +73,9 @@ def tables(folder):
 
 def make_fits(folder, program, put_in=False):
     """Runs all fits and prints the tables; puts them and the pictures into docs/."""
-    run_fits(folder, program)
+    if program is None:
+        build("ogive")
+    run_fits(folder, program or PROGRAMS / "ogive")
     print(tables(folder))
     if put_in:
         insert(PAGE, tables(folder), "tables: scripts/results.sh fits")

@@ -4,7 +4,7 @@ from functools import partial
 from typing import Callable, NamedTuple
 
 from . import sweeps as runs
-from .data import (KEY_COLUMNS, PAGE, ROOT, InputError, Tests, half_width_mps, markdown_table, of_plate, read_json,
+from .data import (KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, half_width_mps, markdown_table, of_plate, read_json,
                    read_limits, read_shots, read_table, short)
 from .insert import insert
 from .sweeps import Sweep
@@ -222,8 +222,10 @@ def make_tables(name, run_missing=False, put_in=False, jobs=None):
     if name not in TABLES:
         raise InputError(f"tables = {name}: must be one of {', '.join(TABLES)}")
     page, tables = TABLES[name]
-    for sweep in (sweep for table in tables for sweep in table.sweeps if run_missing):
-        runs.run(sweep, jobs)
+    if run_missing:
+        build("ogive")
+        for sweep in (sweep for table in tables for sweep in table.sweeps):
+            runs.run(sweep, jobs)
     texts = [(table.caption, text) for table in tables if (text := table.text(table.sweeps))]
     if not texts:
         raise InputError(f"tables {name}: no shot has been run in {runs.FOLDER}: add --run")
