@@ -40,11 +40,9 @@ def section_of(series, name, mirrored_x, mirrored_y):
 
 def show(part, view, diameter):
     display = pv.Show(part, view)
+    display.SetRepresentationType("Point Gaussian" if diameter else "Surface With Edges")
     if diameter:
-        display.SetRepresentationType("Point Gaussian")
         display.GaussianRadius = diameter / 2
-    else:
-        display.SetRepresentationType("Surface With Edges")
     pv.ColorBy(display, ("POINTS" if diameter else "CELLS", FIELD))
     return display
 

@@ -102,8 +102,7 @@ class Check:
 
     def several(self, name, kind):
         """One value or a list of them, as a list."""
-        values = self.value(name)
-        values = values if isinstance(values, list) else [values]
+        values = self.value(name) if isinstance(self.value(name), list) else [self.value(name)]
         if not values or not all(isinstance(v, kind) and not isinstance(v, bool) for v in values):
             self.refuse(name, "must be a text or a list of texts" if kind is str else "must be a number or a list")
         return values
@@ -157,24 +156,24 @@ class Check:
         return row[name]
 
     def result(self):
-        limit = " and ".join(bound.text() for bound in self.bounds) or "it is there"
-
-        def made(status, measured, share):
-            return Result(self.table["id"], self.figures, self.table["statement"], self.table["kind"] == "picture",
-                          status, measured, limit, share)
-
         try:
-            measured = list(self.measure(self))
+            found = self.judged(list(self.measure(self)))
         except Missing as missing:
-            return made("missing", str(missing), math.inf)
+            found = "missing", str(missing), math.inf
+        limit = " and ".join(bound.text() for bound in self.bounds) or "it is there"
+        return Result(self.table["id"], self.figures, self.table["statement"], self.table["kind"] == "picture", *found[:2],
+                      limit, found[2])
+
+    def judged(self, measured):
+        """Status, text and share of the worst value."""
         share, value, label = max(((max((b.share(v) for b in self.bounds), default=0), v, text)
                                    for v, text in measured), key=lambda found: found[0])
-        unit = UNITS.get(self.bounds[0].unit, self.bounds[0].unit) if self.bounds else ""
+        if not self.bounds:
+            return "pass", label, share
+        unit = UNITS.get(self.bounds[0].unit, self.bounds[0].unit)
         deviates = self.measure is limit_against_test or any(bound.relation == "within" for bound in self.bounds)
-        sign = "+" if deviates and value > 0 else ""
-        text = f"{sign}{short(value, 3)}{' ' + unit if unit else ''} ({label})" if self.bounds else label
-        holds = all(bound.holds(value) for bound in self.bounds)
-        return made("pass" if holds else "FAIL", text, share)
+        text = f"{'+' if deviates and value > 0 else ''}{short(value, 3)}{' ' + unit if unit else ''} ({label})"
+        return "pass" if all(bound.holds(value) for bound in self.bounds) else "FAIL", text, share
 
 
 def run_checks(results, tests, file=CHECKS, spacing_mm=None):

@@ -151,9 +151,8 @@ def fit_stress(check):
     def stress(constants, strain, rate):
         return (constants["A_MPa"] + constants["B_MPa"] * strain**constants["a"]) * rate**constants["C"]
 
-    names = ("A_MPa", "B_MPa", "a", "C")
-    ours = {name: fit_row(check, name)["value"] for name in names}
-    reference = {name: check.value(name, NUMBER) for name in names}
+    ours = {name: fit_row(check, name)["value"] for name in ("A_MPa", "B_MPa", "a", "C")}
+    reference = {name: check.value(name, NUMBER) for name in ours}
     for strain, rate in itertools.product(check.several("plastic_strain", NUMBER), check.several("rate_per_s", NUMBER)):
         a, b = stress(ours, strain, rate), stress(reference, strain, rate)
         yield percent_of(a, b), (f"{short(a)} MPa, reference {short(b)} MPa, at {short(strain)} and {short(rate)} 1/s, the "

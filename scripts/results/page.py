@@ -19,8 +19,6 @@ from .data import (KEY_COLUMNS, LAWS, PROGRAMS, RECORD_COLUMNS, ROOT, InputError
                    half_width_mps, of_plate, percent_of, plate_of, short, stale_limits, write_text)
 from .kinds import shot_text
 
-METHODS = {"sfm": "paper's method"}
-
 
 class Table(NamedTuple):
     """Cells are texts; columns in `numbers` are flush right."""
@@ -46,9 +44,12 @@ class Page:
         self.usual_mm = data.read_toml(checks).get("defaults", {}).get("spacing_mm", 0)
         self.spacing_mm = self.usual_mm if spacing_mm is None else spacing_mm
         self.checks = run_checks(self.results, self.tests, checks, self.spacing_mm)
+        self.late_shots = "; ".join(f"{shot_text(s)}: {short(s['residual_velocity_mps'])} m/s" for s in self.results.shots
+                                    if ended_by_time(s))
         self.methods = sorted({row["method"] for row in self.results.shots})
+        self.beyond_methods = [method for method in self.methods if method != "sfm"]
         self.beyond = [r for r in run_checks(self.results, self.tests, BEYOND, self.spacing_mm)
-                       if r.id.partition("_")[0] in self.methods and not r.id.startswith("sfm_")]
+                       if r.id.partition("_")[0] in self.beyond_methods]
 
     def checks_of(self, figure):
         return [result for result in self.checks if figure in result.figures]
@@ -200,20 +201,13 @@ class Page:
         return Table(["plate", "law", "bisection, m/s", "fit v_bl, m/s", "a", "p", "fit − bisection, m/s", "shots",
                       "test, m/s", "off, %", "paper, m/s", "off, %"], rows, range(2, 12))
 
-    def late_shots(self):
-        return "; ".join(f"{shot_text(s)}: {short(s['residual_velocity_mps'])} m/s" for s in self.results.shots
-                         if ended_by_time(s))
-
-    def beyond_methods(self):
-        return [method for method in self.methods if method != "sfm"]
-
     def beyond_limits(self):
-        methods = ["sfm", *self.beyond_methods()]
+        methods = ["sfm", *self.beyond_methods]
         plates = {plate_of(r) for r in self.results.limits if r["method"] != "sfm"}
         rows = [[plate_name(plate), short(self.tests.limit_mps(*plate)),
                  *(cell for method in methods for cell in self._limit_cells(plate, "mjc", method))]
                 for plate in sorted(plates, key=steel_first)]
-        heads = [text for method in methods for text in (f"{METHODS.get(method, method)}, m/s", "off, %")]
+        heads = [text for method in ("paper's method", *methods[1:]) for text in (f"{method}, m/s", "off, %")]
         return Table(["plate", "test, m/s", *heads], rows, range(1, 2 + len(heads)))
 
     def cost(self, method):

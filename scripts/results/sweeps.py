@@ -5,6 +5,8 @@ import csv
 import re
 import subprocess
 import sys
+from functools import partial
+from operator import mul
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,17 +24,13 @@ class Sweep(NamedTuple):
     text: str = "{}"  # of a row, from that of its case
 
 
-def times(factor):
-    return lambda value: value * factor
-
-
 # Metals of the lists, by the file names there: a metal of the library, and what becomes of its constants.
 METALS = {
     "floor_0.001.toml": ("weldox_460e", {"rate_floor_per_s": lambda _: 0.001}),
     "floor_100.toml": ("weldox_460e", {"rate_floor_per_s": lambda _: 100}),
     "boervik_2001.toml": ("weldox_460e", {"D1": lambda _: 0.0705, "D2": lambda _: 1.732, "D3": lambda _: -0.54,
                                           "D4": lambda _: -0.0123, "D5": lambda _: 0}),
-    **{f"aluminium_{name}_{factor}.toml": ("aa5083_h116", {key: times(factor)})
+    **{f"aluminium_{name}_{factor}.toml": ("aa5083_h116", {key: partial(mul, factor)})
        for name, key in (("A", "A_MPa"), ("B", "B_MPa"), ("a", "a")) for factor in (0.9, 1.1)},
 }
 
@@ -68,9 +66,8 @@ def cases_file(sweep, folder):
 def run(sweep, jobs=None):
     """Runs the cases that the folder lacks; those that fail are reported and have no row."""
     folder = FOLDER / sweep.folder
-    command = [PROGRAM, "sweep", cases_file(sweep, folder), *(["--jobs", jobs] if jobs else []), *sweep.options.split(),
-               "--no-vtk", "--no-picture", "--out", folder]
-    command = list(map(str, command))
+    command = list(map(str, [PROGRAM, "sweep", cases_file(sweep, folder), *(["--jobs", jobs] if jobs else []),
+                             *sweep.options.split(), "--no-vtk", "--no-picture", "--out", folder]))
     print(" ".join(command), file=sys.stderr)
     status = subprocess.run(command, check=False, stdout=2).returncode  # standard output belongs to the tables
     if status:
