@@ -1,21 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # performance.sh [--insert] [option of bench_step]...: times the steps of a shot and prints the tables of
-# docs/performance.md in Markdown; --insert puts them there too. Let nothing else run. BENCH_STEP names another program
-# than that of build/release; bench_step --help lists its options.
+# docs/performance.md in Markdown; --insert puts them there too. Let nothing else run. All numbers stay in
+# vtk_out/bench/performance.json. bench_step --help lists its options.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-insert=
+insert=()
 if [ "${1:-}" = --insert ]; then
-  insert=yes
+  insert=(--insert)
   shift
 fi
-[ -n "${BENCH_STEP:-}" ] || "$root/scripts/build.sh" bench_step
-
-# As scripts/run.sh does.
-export GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}"
-
-tables=$(mktemp)
-trap 'rm -f "$tables"' EXIT
-"${BENCH_STEP:-$root/build/release/bench/bench_step}" "$@" | tee "$tables"
-[ -z "$insert" ] || "$root/scripts/insert_tables.py" "$root/docs/performance.md" --mark 'tables: bench/performance.sh' < "$tables"
+"$root/scripts/build.sh" bench_step
+numbers=$root/vtk_out/bench/performance.json
+mkdir -p "$root/vtk_out/bench"
+GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}" "$root/build/release/bench/bench_step" "$@" > "$numbers"
+"$root/scripts/results.sh" performance "$numbers" "${insert[@]}"

@@ -20,5 +20,5 @@ trap 'rm -f "$tables"' EXIT
 status=0
 "${VERIFICATION:-$root/build/release/bench/verification}" "$@" | tee "$tables" || status=$?
 # Lines that are off belong into the page too; wrong input or a crash do not.
-[ -z "$insert" ] || [ "$status" -gt 1 ] || "$root/scripts/insert_tables.py" "$root/docs/verification.md" < "$tables"
+[ -z "$insert" ] || [ "$status" -gt 1 ] || "$root/scripts/results.sh" insert "$root/docs/verification.md" < "$tables"
 exit "$status"

@@ -35,7 +35,7 @@ add_custom_target(
   COMMAND Doxygen::doxygen "${ogive_docs_folder}/Doxyfile"
   COMMAND ${CMAKE_COMMAND} -E copy "${mathjax_folder}/MathJax.js" "${site}/mathjax/MathJax.js" ${copy_mathjax}
           ${copy_results}
-  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/check_links.py" "${site}"
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/docs/doxygen/check_links.py" "${site}"
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
   COMMENT "The website, its links checked: ${site}/index.html"
   VERBATIM)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# lint.sh [file]...: clang-format and clang-tidy over these sources, or over all of include/, apps/, tests/, bench/ and
+# lint.sh [file or folder]...: clang-format and clang-tidy over these sources, or over all of include/, apps/, tests/, bench/ and
 # examples/. Headers are read together in one translation unit: one for each would parse Eigen and VTK again and again.
 # Needs clang-format, clang-tidy and libomp-dev (Debian 12 has version 14), and what scripts/setup.sh installs. The exit
 # status is 1 if there is a finding.
@@ -12,13 +12,8 @@ for tool in clang-format clang-tidy cmake; do
   exit 2
 done
 
-files=()
-if [ $# -gt 0 ]; then
-  for file; do files+=("$(realpath "$file")"); done
-else
-  while IFS= read -r file; do files+=("$root/$file"); done < <(
-    cd "$root" && find include apps tests bench examples \( -name '*.hpp' -o -name '*.cpp' \) -not -path '*/package/*' | sort)
-fi
+[ $# -gt 0 ] || set -- "$root"/{include,apps,tests,bench,examples}
+mapfile -t files < <(realpath "$@" | xargs -I {} find {} \( -name '*.hpp' -o -name '*.cpp' \) -not -path '*/package/*' | sort)
 status=0
 clang-format --dry-run -Werror "${files[@]}" || status=1
 
@@ -27,13 +22,8 @@ build=$root/build/lint
 cmake -S "$root" -B "$build" -G Ninja -D CMAKE_BUILD_TYPE=Debug -D CMAKE_EXPORT_COMPILE_COMMANDS=ON \
   -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ >/dev/null
 
-sources=() headers=()
-for file in "${files[@]}"; do
-  case "$file" in
-  *.cpp) sources+=("$file") ;;
-  *) headers+=("$file") ;;
-  esac
-done
+mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$')
+mapfile -t headers < <(printf '%s\n' "${files[@]}" | grep '\.hpp$')
 tidy() { clang-tidy --quiet "$@" 2> >(grep -vE '^[0-9]+ warnings? (treated|generated)|^Suppressed|^Use -header' >&2 || true); }
 export -f tidy
 if [ "${#headers[@]}" -gt 0 ]; then

@@ -13,6 +13,8 @@ xvfb-run     xvfb
 xauth        xauth
 gnuplot      gnuplot-nox
 python3      python3
+-            python3-jinja2
+-            python3-markdown
 -            libeigen3-dev
 -            catch2
 -            libcli11-dev

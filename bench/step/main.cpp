@@ -1,75 +1,93 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// \file
-/// bench_step: times the steps of a shot and compares them with what the machine can do.
+/// bench_step: times the steps of a shot and what the machine can do, and writes both as JSON in SI units.
+/// bench/performance.sh makes tables of it.
 
-#include "report.hpp"
+#include "limits.hpp"
+#include "shot.hpp"
+
+#include "ogive/version.hpp"
 
 #include <CLI/CLI.hpp>
-#include <omp.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
 
 namespace {
 
-struct Options {
-  std::vector<double> sizes{3000, 25000, 100000, 1000000};
-  bench::Plan plan;
-  std::string json;
-  bool quick = false;
-};
+using bench::Json;
 
-Options read_options(CLI::App &app, int argc, const char *const *argv) {
-  Options options;
-  const auto *sizes = app.add_option("--sizes", options.sizes, "particles of the computed quarter")->delimiter(',');
-  app.add_option("--threads", options.plan.threads, "numbers of threads (default: 1, 2 and one for each core)")
+bench::Plan read_options(CLI::App &app, int argc, const char *const *argv) {
+  bench::Plan plan;
+  const auto *sizes = app.add_option("--sizes", plan.sizes, "particles of the computed quarter")
+                          ->delimiter(',')
+                          ->check(CLI::Range(1000.0, 1e8));
+  app.add_option("--threads", plan.threads, "numbers of threads (default: 1, 2 and one for each core)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
-  app.add_option("--steps", options.plan.steps, "steps that are timed; 0: whole cycles of the neighbour lists")
+  app.add_option("--steps", plan.steps, "steps that are timed; 0: whole cycles of the neighbour lists")
       ->check(CLI::Range(0, 1000000));
   const auto *repeats =
-      app.add_option("--repeats", options.plan.repeats, "measurements, the median counts")->check(CLI::Range(1, 1000));
-  app.add_option("--json", options.json, "file for all numbers");
-  app.add_flag("--quick", options.quick, "small sizes and short measurements, to see that all works");
+      app.add_option("--repeats", plan.repeats, "measurements, the median counts")->check(CLI::Range(1, 1000));
+  app.add_flag("--quick", plan.quick, "small sizes and short measurements, to see that all works");
   app.parse(argc, argv);
-  for (const double size : options.sizes)
-    if (!(size >= 1000 && size <= 1e8)) throw CLI::ValidationError("--sizes", "must lie between 1000 and 1e8");
-  if (options.quick) {
-    if (sizes->count() == 0) options.sizes = {3000, 25000};
-    if (repeats->count() == 0) options.plan.repeats = 1;
-    options.plan.seconds = 0.3;
+  if (plan.quick) {
+    if (sizes->count() == 0) plan.sizes = {3000, 25000};
+    if (repeats->count() == 0) plan.repeats = 1;
+    plan.seconds = 0.3;
   }
-  auto &threads = options.plan.threads;
+  auto &threads = plan.threads;
   if (threads.empty()) {
     const int cores = omp_get_num_procs();
     threads = {1, std::min(2, cores), cores};
   }
   std::sort(threads.begin(), threads.end());
   threads.erase(std::unique(threads.begin(), threads.end()), threads.end());
-  return options;
+  return plan;
 }
 
-int measure(const Options &options) {
-  bench::Report report;
-  report.repeats = options.plan.repeats;
-  report.triad_bytes = bench::triad_bytes(options.quick);
+/// True if all numbers of threads led to the same state.
+bool equal_states(const Json &shot) {
+  const auto &first = shot["timings"][0]["state_hash"];
+  return std::all_of(shot["timings"].begin(), shot["timings"].end(),
+                     [&](const Json &t) { return t["state_hash"] == first && first != "0000000000000000"; });
+}
+
+int measure(const bench::Plan &plan) {
+  using ogive::Pack;
+  const bool quick = plan.quick;
+  const std::size_t bytes = bench::triad_bytes(quick);
+  Json limits = Json::array(), shots = Json::array();
   std::fprintf(stderr, "limits of the machine\n");
-  for (const int threads : options.plan.threads)
-    report.limits.push_back(bench::measure_limits(threads, report.triad_bytes, options.quick));
-  report.pack_times = bench::measure_pack_times(options.quick);
-  for (const double size : options.sizes)
-    report.shots.push_back(bench::measure_shot(size, options.plan, [&](const std::string &text) {
+  for (const int threads : plan.threads)
+    limits.push_back({{"threads", threads},
+                      {"triad_byte_per_s", bench::measure_triad(threads, bytes, quick)},
+                      {"flop_per_s", bench::measure_arithmetic(threads, quick)}});
+  // Each operation leads to a number near 1 again; the last two are ogive's, with 27 bits.
+  const Json packs{
+      {"division", bench::pack_time(quick, [](Pack<double> p) { return Pack<double>(1.0) / p; })},
+      {"square_root", bench::pack_time(quick, [](Pack<double> p) { return ogive::sqrt(p); })},
+      {"reciprocal", bench::pack_time(quick, [](Pack<double> p) { return ogive::reciprocal(p); })},
+      {"inverse_square_root", bench::pack_time(quick, [](Pack<double> p) { return ogive::inverse_sqrt(p); })}};
+  bool equal = true;
+  for (const double size : plan.sizes) {
+    shots.push_back(bench::measure_shot(size, plan, [&](const std::string &text) {
       std::fprintf(stderr, "%.0f particles: %s\n", size, text.c_str());
     }));
-  std::cout << bench::tables(report) << std::flush;
-  if (!options.json.empty() && !(std::ofstream(options.json) << bench::json(report) << std::flush)) {
-    std::fprintf(stderr, "bench_step: error: --json = %s: cannot be written\n", options.json.c_str());
-    return 2;
+    equal = equal && equal_states(shots.back());
   }
-  if (std::all_of(report.shots.begin(), report.shots.end(), bench::equal_hashes)) return 0;
+  const Json all{{"version", ogive::version},
+                 {"cores", omp_get_num_procs()},
+                 {"register_bits", 8 * ogive::register_bytes},
+                 {"lanes", ogive::lanes<double>},
+                 {"triad_bytes", bytes},
+                 {"repeats", plan.repeats},
+                 {"limits", limits},
+                 {"pack_s", packs},
+                 {"shots", shots}};
+  std::cout << all.dump(2) << std::endl;
+  if (equal) return 0;
   std::fprintf(stderr, "bench_step: error: the state depends on the number of threads\n");
   return 1;
 }
@@ -77,11 +95,11 @@ int measure(const Options &options) {
 } // namespace
 
 int main(int argc, char **argv) {
-  CLI::App app("Times the steps of a shot and compares them with what the machine can do.", "bench_step");
+  CLI::App app("Times the steps of a shot and what the machine can do; prints JSON.", "bench_step");
   try {
     return measure(read_options(app, argc, argv));
-  } catch (const CLI::ParseError &error) {
-    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const CLI::Success &success) {
+    return app.exit(success);
   } catch (const std::exception &error) {
     std::fprintf(stderr, "bench_step: error: %s\n", error.what());
     return 2;

@@ -1,4 +1,4 @@
-"""A series of perforate in ParaView: the section through plate and projectile, coloured by plastic strain.
+"""A series of ogive in ParaView: the section through plate and projectile, coloured by plastic strain.
 
     pvpython scripts/paraview/state.py vtk_out/CASE/perforation.pvd picture.png    # a picture of the last frame
 
@@ -15,14 +15,14 @@ LARGEST = 1.5
 
 
 def parts_of(series):
-    """(name, diameter in mm or None, whether only positive x and y were computed) of each part, as its file tells."""
+    """(name, diameter in mm or None, whether only positive x and y were computed) of each part, from the file."""
     data = pv.servermanager.Fetch(series)
     for k in range(data.GetNumberOfBlocks()):
         leaf = data.GetBlock(k)
         while leaf.IsA("vtkMultiBlockDataSet"):
             leaf = leaf.GetBlock(0)
-        told = leaf.GetFieldData()
-        diameter, planes = told.GetArray("particle_diameter_mm"), told.GetArray("symmetry_planes")
+        fields = leaf.GetFieldData()
+        diameter, planes = fields.GetArray("particle_diameter_mm"), fields.GetArray("symmetry_planes")
         mirrored = [planes is not None and planes.GetComponent(0, axis) != 0 for axis in (0, 1)]
         yield (data.GetMetaData(k).Get(data.NAME()), diameter.GetComponent(0, 0) if diameter else None, *mirrored)
 
@@ -40,11 +40,9 @@ def section_of(series, name, mirrored_x, mirrored_y):
 
 def show(part, view, diameter):
     display = pv.Show(part, view)
+    display.SetRepresentationType("Point Gaussian" if diameter else "Surface With Edges")
     if diameter:
-        display.SetRepresentationType("Point Gaussian")
         display.GaussianRadius = diameter / 2
-    else:
-        display.SetRepresentationType("Surface With Edges")
     pv.ColorBy(display, ("POINTS" if diameter else "CELLS", FIELD))
     return display
 

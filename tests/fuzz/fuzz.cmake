@@ -1,5 +1,5 @@
 # Readers tried with any bytes. Each target is a program with replay.cpp, which tries the seeds as a test, or with
-# libFuzzer where OGIVE_FUZZ is on; scripts/fuzz.sh runs those.
+# libFuzzer where OGIVE_FUZZ is on; tests/fuzz/fuzz.sh runs those.
 set(fuzz_targets curve_table)
 if(TARGET perforate_options)
   list(APPEND fuzz_targets case_file material_file checkpoint_file checkpoint_notes checkpoint_state)

@@ -1,11 +1,11 @@
-"""scripts/check_links.py finds what is broken on a site, and nothing else."""
+"""docs/doxygen/check_links.py finds what is broken on a site, and nothing else."""
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/check_links.py"
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "docs/doxygen/check_links.py"
 
 
 def check(**files):

@@ -27,7 +27,7 @@ std::string missing_options(const Options &o) {
 }
 
 template <class Law>
-material_file::AnyMetal metal_with(const Options &o, Law flow, const std::string &name, const std::string &method) {
+materials::AnyMetal metal_with(const Options &o, Law flow, const std::string &name, const std::string &method) {
   ogive::Metal<double, Law> m;
   m.name = name.substr(0, 80);
   m.source = std::string("ogive calibrate ") + ogive::version + ", " + method + ", from";
@@ -50,10 +50,10 @@ std::string write_material(const Options &o, const std::string &file, const ogiv
   const auto metal = c.frame.form == ogive::FlowForm::modified
                          ? metal_with(o, modified_law(c.frame, c.hardening[h], c.C, c.b), name, method)
                          : metal_with(o, classical_law(c.frame, c.hardening[h], c.C, c.b), name, method);
-  const std::string text = material_file::to_toml(metal, "Written by ogive calibrate; fit.json beside it holds the "
+  const std::string text = materials::to_toml(metal, "Written by ogive calibrate; fit.json beside it holds the "
                                                          "uncertainties.");
   try {
-    material_file::parse(text, file);
+    materials::parse(text, file);
   } catch (const ogive::SetupError &error) {
     return error.what();
   }

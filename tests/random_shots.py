@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""random_shots.py [--count N] [--seed S] [--jobs J] [--perforate PROGRAM] [--out FOLDER] [--end-us T]
+"""random_shots.py [--count N] [--seed S] [--jobs J] [--program PROGRAM] [--out FOLDER] [--end-us T]
 
 Shoots N random but legal cases for a short time (200 cases of 30 us unless said otherwise) and checks each: no fault, an
 energy error below 1 %, no particle deeper in the projectile than half a particle distance, finite numbers. The same seed
 gives the same cases. Prints a line for each case that is not in order and, last, how many are. Exit status 1 if one is
-not, 2 for wrong options. A case that failed runs again with `perforate --config FOLDER/<number>/case.toml`.
+not, 2 for wrong options. A case that failed runs again with `ogive shoot --config FOLDER/<number>/case.toml`.
 
-A hex with several points can lose the volume of one of them at a sharp tip that yields. perforate stops such a shot
+A hex with several points can lose the volume of one of them at a sharp tip that yields. ogive stops such a shot
 because of that volume, or of the time step that it allows, before its energy goes wrong: it is printed as refused and is
 no failure.
 """
@@ -32,7 +32,7 @@ def log_uniform(draw, low, high):
 
 
 def random_case(draw):
-    """Options of perforate: sizes, velocities and spacings log-uniform, everything else by lot."""
+    """Options of `ogive shoot`: sizes, velocities and spacings log-uniform, everything else by lot."""
     thickness = log_uniform(draw, 2, 40)
     extent, part = draw.choice([("quarter", 0.25), ("quarter", 0.25), ("half", 0.5), ("full", 1.0)])
     radius = draw.uniform(18, 30)
@@ -96,7 +96,7 @@ def outcome_of(case, folder, status, output):
 
 def shoot(number, case, options):
     folder = options.out / f"{number:03d}"
-    command = [str(options.perforate), *arguments_of(case), f"--end-us={options.end_us}", "--threads=1", "--quiet",
+    command = [str(options.program), "shoot", *arguments_of(case), f"--end-us={options.end_us}", "--threads=1", "--quiet",
                "--no-vtk", "--no-picture", f"--out={folder}"]
     done = subprocess.run(command, capture_output=True, text=True)
     return outcome_of(case, folder, done.returncode, done.stderr)
@@ -108,11 +108,11 @@ def main():
     parser.add_argument("--seed", type=int, default=20120726)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--end-us", type=float, default=30)
-    parser.add_argument("--perforate", type=Path, default=ROOT / "build/release/apps/perforate")
+    parser.add_argument("--program", type=Path, default=ROOT / "build/release/apps/ogive")
     parser.add_argument("--out", type=Path, default=ROOT / "vtk_out/random_shots")
     options = parser.parse_args()
-    if not options.perforate.is_file():
-        parser.error(f"--perforate = {options.perforate}: there is no such program; scripts/build.sh perforate")
+    if not options.program.is_file():
+        parser.error(f"--program = {options.program}: there is no such program; scripts/build.sh ogive")
     draw = random.Random(options.seed)
     cases = [random_case(draw) for _ in range(options.count)]
     with ThreadPoolExecutor(options.jobs) as pool:

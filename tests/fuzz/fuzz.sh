@@ -6,7 +6,7 @@
 # is left in build/fuzz/found: mend the reader and keep the input with the seeds, which ctest tries. Needs clang and
 # libomp-dev besides what scripts/setup.sh installs. Exit status 1 if such an input was found.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 runs=1000000
 targets=()
 while [ $# -gt 0 ]; do

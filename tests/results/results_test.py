@@ -1,19 +1,25 @@
-"""scripts/accept.py, scripts/results_page.py and scripts/insert_tables.py with small made-up results and pages."""
+"""scripts/results with small made-up results and pages."""
 
+import contextlib
+import io
+import json
+import os
 import re
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.dont_write_bytecode = True
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 
-from accept import Bound, Result, status_of_figure  # noqa: E402
-from html_text import from_markdown  # noqa: E402
-from ogive_results import ended_by_time, read_shots, short  # noqa: E402
+from results import figures, fits, sweeps, tables  # noqa: E402
+from results.checks import Bound, Result, status_of_figure  # noqa: E402
+from results.data import ended_by_time, read_shots, short  # noqa: E402
+from results.page import from_markdown  # noqa: E402
 
 SHOT_HEADER = ("method,model,material,nose,thickness_mm,initial_velocity_mps,spacing_mm,residual_velocity_mps,"
                "perforated,plug_thickness_mm,energy_error,largest_intrusion_mm,particles,steps,wall_s,cpu_s,threads,"
@@ -66,9 +72,9 @@ within_percent = 6
 """
 
 
-def run(script, *arguments):
-    return subprocess.run([sys.executable, SCRIPTS / script, *map(str, arguments)], capture_output=True, text=True,
-                          check=False)
+def run(*arguments, text=None):
+    return subprocess.run([sys.executable, "-m", "results", *map(str, arguments)], capture_output=True, text=True, check=False,
+                          input=text, env={**os.environ, "PYTHONPATH": str(SCRIPTS)})
 
 
 class Folders(unittest.TestCase):
@@ -83,7 +89,7 @@ class Folders(unittest.TestCase):
         self.checks.write_text(CHECKS)
 
     def accept(self, *arguments):
-        return run("accept.py", self.folder, "--checks", self.checks, *arguments)
+        return run("accept", self.folder, "--checks", self.checks, *arguments)
 
     def require_refused(self, done, *texts):
         self.assertEqual(done.returncode, 2, done.stderr)
@@ -139,7 +145,7 @@ class Accept(Folders):
 
     def test_wrong_input(self):
         self.require_refused(self.accept("--no-such-option"), "--no-such-option")
-        self.require_refused(run("accept.py", self.folder / "none"), "holds no shots*.csv")
+        self.require_refused(run("accept", self.folder / "none"), "holds no shots*.csv")
         for old, new, text in (
                 ('kind = "every_row"', 'kind = "some"', "check bad: kind = 'some': must be one of"),
                 ("below_percent", "below_apples", "check bad: kind"),
@@ -165,17 +171,17 @@ class Accept(Folders):
         self.assertTrue(all(line.count(" | ") == 4 for line in lines[2:]), lines)
 
     def test_the_project_s_own_checks_are_well_formed(self):
-        done = run("accept.py", self.folder)
+        done = run("accept", self.folder)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertRegex(done.stdout.splitlines()[-1], r"^\d+ passed, \d+ failed$")
-        done = run("accept.py", self.folder, "--checks", SCRIPTS.parent / "docs" / "results" / "acceptance_beyond.toml")
+        done = run("accept", self.folder, "--checks", SCRIPTS.parent / "docs" / "results" / "acceptance_beyond.toml")
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertRegex(done.stdout.splitlines()[-1], r"^0 passed, \d+ failed$")
 
 
 class Page(Folders):
     def page(self, folder, out):
-        done = run("results_page.py", folder, out, "--checks", self.checks)
+        done = run("page", folder, out, "--checks", self.checks)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
 
@@ -189,7 +195,7 @@ class Page(Folders):
         self.assertIn("1 passed, 2 failed", text)
         self.assertNotRegex(text, r'(src|href)="(http:|//|/)')
         self.assertNotIn("<script", text)
-        rows = (out / "results" / "shots.csv").read_text().splitlines()
+        rows = (out / "data" / "shots.csv").read_text().splitlines()
         self.assertEqual(rows[0].split(",")[-1], "particles")
         self.assertEqual(rows[2], "sfm,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820")
         self.assertIn("wall_s", (out / "run_record.csv").read_text())
@@ -208,10 +214,10 @@ class Page(Folders):
         (other / "shots.2-of-2.csv").write_text("\n".join([SHOT_HEADER, SHOTS[1], SHOTS[0], ""]))
         self.page(other, other / "page")
         for name in ("shots.csv", "limits.csv", "projectiles.csv", "fits.csv"):
-            self.assertEqual((self.folder / "page" / "results" / name).read_bytes(),
-                             (other / "page" / "results" / name).read_bytes(), name)
+            self.assertEqual((self.folder / "page" / "data" / name).read_bytes(),
+                             (other / "page" / "data" / name).read_bytes(), name)
         # A page's own tables are results, too.
-        again = run("accept.py", other / "page" / "results", "--checks", self.checks)
+        again = run("accept", other / "page" / "data", "--checks", self.checks)
         self.assertEqual(again.stdout, self.accept().stdout)
 
     def test_masses_come_from_the_summaries(self):
@@ -222,7 +228,7 @@ class Page(Folders):
                 '"fault": null}')
         (self.folder / "shots" / name / "summary.json").write_text('{"nose": "bl')  # being written
         self.page(self.folder, self.folder / "page")
-        self.assertEqual((self.folder / "page" / "results" / "projectiles.csv").read_text(),
+        self.assertEqual((self.folder / "page" / "data" / "projectiles.csv").read_text(),
                          "nose,spacing_mm,projectile_mass_g,added_mass_g\nblunt,0.6,197.250000,0.000000\n")
 
     def test_older_limits_are_told(self):
@@ -242,7 +248,7 @@ class Page(Folders):
         self.page(self.folder, page.parent)
         after = page.read_text()
         self.assertEqual(re.search("Of 14 figures.*", before)[0], re.search("Of 14 figures.*", after)[0])
-        section = after[after.index("<h2 id=beyond>"):after.index("<h2 id=acceptance>")]
+        section = after[after.index('<h2 id="beyond">'):after.index('<h2 id="acceptance">')]
         self.assertRegex(section, r"good..pass.*adaptive_limit_12mm")
         self.assertRegex(section, r"missing.*adaptive_limit_20mm")
         self.assertNotIn("stabilised_limit", section)
@@ -250,22 +256,22 @@ class Page(Folders):
         self.assertIn("adaptive: 1.33 times the processor time", section)
 
     def test_wrong_input(self):
-        self.require_refused(run("results_page.py", self.folder, self.folder),
+        self.require_refused(run("page", self.folder, self.folder),
                              "must not be the folder with the results")
-        self.require_refused(run("results_page.py", self.folder / "none", self.folder / "page"), "holds no shots*.csv")
+        self.require_refused(run("page", self.folder / "none", self.folder / "page"), "holds no shots*.csv")
         self.assertFalse((self.folder / "page").exists())
 
     def test_shots_of_a_page_go_back_to_a_campaign(self):
         page, again = self.folder.parent / "page", self.folder.parent / "again"
         (self.folder / "figure_6.svg").write_text("<svg/>")
-        for arguments in (("results_page.py", self.folder, page), ("take_published.py", page, again)):
+        for arguments in (("page", self.folder, page), ("published", page, again)):
             done = run(*arguments)
             self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual((again / "shots_published.csv").read_text(), (self.folder / "shots.csv").read_text())
         self.assertTrue((again / "figure_6.svg").exists())
         record = page / "run_record.csv"
         record.write_text(record.read_text().splitlines()[0] + "\n")
-        self.require_refused(run("take_published.py", page, again), "has no row in")
+        self.require_refused(run("published", page, again), "has no row in")
 
 
 class Parts(unittest.TestCase):
@@ -297,12 +303,15 @@ class Parts(unittest.TestCase):
                          ["0.01174", "182.5", "25820", "1e-12", "–", "-1.5"])
 
     def test_markdown(self):
-        text = from_markdown("# Title\n\nA `b|c` and [link](x.md).\n\n| a | b |\n|---|---|\n| 1 \\| 2 | **3** |\n",
-                             "../")
+        text = from_markdown("# Title\n\nA `b|c` and [link](x.md):\n- one\n- two\n\n## Part\n\n| a | b |\n|---|---|\n| 1 \\| 2 "
+                             "| **3** |\n", "../")
         self.assertNotIn("Title", text)
-        self.assertIn('<p>A <code>b|c</code> and <a href="../x.md">link</a>.</p>', text)
-        self.assertIn("<td>1 | 2</td><td><strong>3</strong></td>", text)
-        self.assertNotIn("href", from_markdown("[link](x.md)"))
+        self.assertIn('<p>A <code>b|c</code> and <a href="../x.md">link</a>:</p>', text)
+        self.assertRegex(text, r"<li>one</li>\s*<li>two</li>")
+        self.assertIn("<h3>Part</h3>", text)
+        self.assertRegex(text, r'<div class="scroll"><table>(?s:.*)<td>1 \| 2</td>\s*<td><strong>3</strong></td>')
+        self.assertNotIn("href", from_markdown("[link](x.md)", None))
+        self.assertIn('href="https://x.org"', from_markdown("[link](https://x.org)", None))
 
     def test_shots_that_end_with_the_time(self):
         for nose, simulated_us, ended in (("blunt", 500.01, True), ("blunt", 499.9, False), ("conical", 600, False),
@@ -316,11 +325,163 @@ class Parts(unittest.TestCase):
 
     def test_figures_refuses_wrong_options(self):
         for arguments, text in ((["--jobs", "0"], "--jobs = 0: must be a whole number from 1"),
-                                (["--fast"], "--fast: unknown option")):
-            done = subprocess.run([SCRIPTS / "figures.sh", *arguments], capture_output=True, text=True, check=False)
+                                (["--fast"], "unrecognized arguments: --fast"),
+                                (["--method", "fem"], "--method: invalid choice: 'fem'")):
+            done = run("figures", *arguments)
             self.assertEqual(done.returncode, 2)
-            self.assertRegex(done.stderr, r"^figures: error: [^\n]*\n$")
+            self.assertRegex(done.stderr, r"^\w+: error: [^\n]*\n$")
             self.assertIn(text, done.stderr)
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        for patch in (mock.patch.object(sweeps, "FOLDER", self.folder), mock.patch.object(sweeps, "PROGRAM", "false")):
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def leave(self, folder, name, **values):
+        shot = self.folder / folder / "shots" / name
+        shot.mkdir(parents=True)
+        (shot / "summary.json").write_text(json.dumps({"version": "0.1.0", "fault": None, **values}))
+
+    def table(self, name):
+        with contextlib.redirect_stdout(io.StringIO()) as text:
+            tables.make_tables(name)
+        return text.getvalue().splitlines()
+
+    def test_every_list_is_there_with_names_and_texts(self):
+        for name, (page, blocks) in tables.TABLES.items():
+            text = (SCRIPTS.parent / "docs" / f"{page}.md").read_text()
+            self.assertEqual(text.count(f"<!-- tables: scripts/results.sh tables {name} -->"), 2, name)
+            for sweep in (sweep for block in blocks for sweep in block.sweeps):
+                names = [case["name"] for case in sweeps.cases(sweep)]
+                self.assertEqual(len(names), len(set(names)), sweep)
+                for case in sweeps.cases(sweep):
+                    self.assertTrue("material" not in case or not case["material"].endswith(".toml")
+                                    or case["material"] in sweeps.METALS, case)
+
+    def test_shots(self):
+        self.leave("near_limit_8mm", "bonds", initial_velocity_mps=180.0, residual_velocity_mps=59.64, plug_mass_g=22.01,
+                   test_residual_velocity_mps=84.31, test_origin="Recht-Ipson curve", energy_error=0.000141,
+                   largest_intrusion_mm=0.0, momentum_error=2.3e-15, steps=2228)
+        self.leave("near_limit_16mm", "bonds", initial_velocity_mps=265.0, fault={"what": "stopped"})
+        lines = self.table("sensitivity")
+        self.assertEqual(lines[0][:72], "Made by `scripts/results.sh tables sensitivity` with ogive 0.1.0. Tests ")
+        self.assertEqual(lines[2:], [
+            "Two plates near the limits of the tests, particles 0.8 mm apart:", "",
+            "| case | initial, m/s | test, m/s | computed, m/s | plug, g | energy error, % | intrusion, mm | momentum error | "
+            "steps |", "|---|---|---|---|---|---|---|---|---|",
+            "| 8 mm, bonds against zero-energy modes, 0.3 | 180.0 | (84.3) | 59.6 | 22.0 | 0.014 | 0.000 | 2e-15 | 2228 |"])
+
+    def test_values_that_are_missing(self):
+        self.leave("adaptive_plates", "6mm_150", initial_velocity_mps=150, residual_velocity_mps=0.0, failed_hexes=26,
+                   distorted_hexes=0, dishing_mm=13.92)
+        self.assertEqual(self.table("adaptive")[-1], "| 6 mm | 150.0 | – | 0.0 | – | 26, 0 | 13.92, – | – | – | – | – |")
+
+    def test_limits(self):
+        for thickness, limit in ((6, 144.5), (12, 153.5)):
+            (self.folder / f"damage_{thickness}mm").mkdir()
+            (self.folder / f"damage_{thickness}mm" / "limits.csv").write_text(
+                "material,damage_softening,damage_length_mm,projectile,clamp_radius_mm,friction,bisection_limit_mps\n"
+                f"/a/boervik_2001.toml,0.6,0.22,deformable,250,0,{limit}\n/a/boervik_2001.toml,0.3,0.6,deformable,250,0,199\n"
+                "weldox_460e,0.6,0.22,rigid,250,0,\n")
+        self.assertEqual(self.table("damage")[-3:], ["| tests | 145.5 | 184.5 | 0.79 |",
+                                                     "| D1 to D5 of Børvik et al. 2001 | 144.5 | 153.5 | 0.94 |",
+                                                     "| the same, Dc 0.3, ℓ 0.6 mm | 199.0 | 199.0 | 1.00 |"])
+        (self.folder / "limits_adaptive_0.45mm").mkdir()
+        (self.folder / "limits_adaptive_0.45mm" / "limits.csv").write_text("thickness_mm,bisection_limit_mps\n6,144.5\n")
+        self.assertEqual(self.table("sizes_adaptive")[6], "| 6 mm | 145.5 | – | – | 143.5 | 144.5 | – | +0.7 % |")
+
+    def test_timing(self):
+        for method, seconds in (("sfm", 10.0), ("adaptive", 7.4)):
+            self.leave(f"timing_{method}", "blunt_6mm", cpu_s=seconds)
+        self.assertEqual(self.table("timing")[-2:], ["| blunt | 6 mm weldox_460e | 200 | 10 | 7 | 0.74 |",
+                                                              "| all |  |  | 10 | 7 | 0.74 |"])
+
+    def test_no_shot_is_an_error(self):
+        done = run("tables", "no_such_table")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("tables = no_such_table: must be one of plate_12mm, sensitivity,", done.stderr)
+        with self.assertRaisesRegex(tables.InputError, "no shot has been run"):
+            tables.make_tables("dishing")
+
+    def test_metals_with_other_constants(self):
+        text = 'name = "aa"\nA_MPa = 200 # yield stress\nB_MPa = 300\n'
+        self.assertEqual(sweeps.changed_metal(text, "b_0.9.toml", {"B_MPa": lambda v: 0.9 * v}),
+                         'name = "b_0.9"\nA_MPa = 200 # yield stress\nB_MPa = 270\n')
+        with self.assertRaisesRegex(tables.InputError, "D1: is no constant"):
+            sweeps.changed_metal(text, "b.toml", {"D1": lambda v: 2 * v})
+
+    def test_sweeps_get_all_options(self):
+        program = self.folder / "ogive"
+        program.write_text('#!/bin/sh\n[ "$1" = sweep ] || { echo \'name = "x"\'; echo "rate_floor_per_s = 1"; exit; }\n'
+                           f'echo "$@" > {self.folder}/said; cat "$2" >> {self.folder}/said\n')
+        program.chmod(0o755)
+        with mock.patch.object(sweeps, "PROGRAM", program), contextlib.redirect_stderr(io.StringIO()):
+            sweeps.run(tables.TABLES["sensitivity"][1][0].sweeps[0], 2)
+        said = (self.folder / "said").read_text().splitlines()
+        folder = self.folder / "sensitivity"
+        self.assertEqual(said[0], f"sweep {folder}/cases.csv --jobs 2 --no-vtk --no-picture --out {folder}")
+        self.assertTrue(said[-1].endswith(f",{folder}/floor_100.toml"))
+        self.assertEqual((folder / "floor_100.toml").read_text(), 'name = "floor_100"\nrate_floor_per_s = 100\n')
+
+
+class Figures(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        self.campaign = figures.Campaign(self.folder, self.folder, 0.6)
+        self.commands = []
+        patch = mock.patch.object(figures.Campaign, "attempt", lambda _, *command, **__: self.commands.append(command))
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def leave(self, name, *times):
+        folder = self.folder / "shots" / name
+        folder.mkdir(parents=True)
+        (folder / "summary.json").write_text("{}")
+        frames = "".join(f'<DataSet timestep="{time}" part="0" file="{time}.vtm"/>' for time in times)
+        (folder / "perforation.pvd").write_text(f'<?xml version="1.0"?><VTKFile><Collection>{frames}</Collection></VTKFile>')
+        return folder
+
+    def test_pictures_of_the_shots_that_are_there(self):
+        thick = self.leave("adaptive_mjc_weldox_460e_blunt_10mm_180mps_0.6mm", 0, 20, 41.5)
+        thin = self.leave("adaptive_mjc_weldox_460e_blunt_6mm_160mps_0.6mm", 0, 30)
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            self.campaign.pictures("adaptive")
+        drawn = [list(map(str, command)) for command in self.commands]
+        self.assertEqual([Path(command[0]).name for command in drawn], [
+            "figure_7_adaptive.png", "figure_7_temperature_adaptive.png", "figure_8_adaptive.png"])
+        self.assertEqual(drawn[0][3:8], ["draw", "--series", str(thick), "--times-us", "0,10,20,30,40"])
+        self.assertEqual(drawn[2][3:14], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
+                                          "(a) 6 mm, 0 µs", "(a) 6 mm, 15 µs", "(a) 6 mm, 30 µs", "(b) 10 mm, 0 µs"])
+        self.assertIn("figure 14_adaptive is left out: no shot with frames", said.getvalue())
+
+    def test_a_picture_newer_than_its_series_stays(self):
+        self.leave("mjc_aa5083_h116_conical_15mm_214mps_0.6mm", 0, 400)
+        picture = self.folder / "figure_14.png"
+        picture.touch()
+        for age, commands in ((-100, 1), (100, 1)):
+            series = (self.folder / "shots/mjc_aa5083_h116_conical_15mm_214mps_0.6mm/perforation.pvd").stat().st_mtime
+            os.utime(picture, (series + age, series + age))
+            with contextlib.redirect_stdout(io.StringIO()):
+                self.campaign.pictures("sfm")
+            self.assertEqual(len(self.commands), commands)
+
+    def test_fits_are_made_when_curves_or_program_are_newer(self):
+        program, last = self.folder / "ogive", self.folder / "aluminium_power" / "fit.json"
+        program.touch()
+        self.assertFalse(fits.are_done(self.folder, program, page_only=True))
+        last.parent.mkdir()
+        last.touch()
+        self.assertTrue(fits.are_done(self.folder, program))
+        os.utime(last, (1, 1))
+        self.assertFalse(fits.are_done(self.folder, program))
+        self.assertTrue(fits.are_done(self.folder, program, page_only=True))
 
 
 class InsertTables(Folders):
@@ -333,8 +494,7 @@ class InsertTables(Folders):
         self.page.write_text(self.PAGE)
 
     def insert(self, text, *arguments):
-        return subprocess.run([sys.executable, SCRIPTS / "insert_tables.py", self.page, *arguments], input=text,
-                              capture_output=True, text=True, check=False)
+        return run("insert", self.page, *arguments, text=text)
 
     def test_tables_between_their_marks_are_replaced(self):
         done = self.insert("lost\n<!-- table: one (a) -->\n| 2 |\n<!-- table: one (a) -->\n")
@@ -350,7 +510,7 @@ class InsertTables(Folders):
 
     def test_wrong_input_leaves_the_page_as_it_was(self):
         for text, arguments, said in (("| 3 |\n", ["--mark", "tables: c"], "has no <!-- tables: c -->"),
-                                      ("<!-- table: one (a) -->\n| 2 |\n", [], "<!-- table: one (a) --> stands alone"),
+                                      ("<!-- table: one (a) -->\n| 2 |\n", [], "<!-- table: one (a) --> occurs once"),
                                       ("| 2 |\n", [], "holds no table"),
                                       ("", ["--mark", "tables: P=q b"], "holds no table")):
             self.require_refused(self.insert(text, *arguments), said)

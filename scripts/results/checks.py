@@ -1,25 +1,17 @@
-#!/usr/bin/env python3
-# SPDX-License-Identifier: BSD-3-Clause
-"""Holds results against docs/results/acceptance.toml and prints a line for each check. Exit status 0 if all passed, 1
-if any failed or lacks its data, 2 for wrong input."""
+"""Holds results against docs/results/acceptance.toml: one Result for each check."""
 
 import itertools
 import math
 import re
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the modules beside this script leave no files behind
+from .data import (PAGE, InputError, Results, Tests, close, half_width_mps, markdown_table, of_plate, read_toml, short)
+from .kinds import KINDS, NUMBER, Missing, limit_against_test, plate_text
 
-import ogive_results  # noqa: E402
-from acceptance_kinds import KINDS, Missing, limit_against_test, plate_text  # noqa: E402
-from ogive_results import InputError, metal_of, short  # noqa: E402
-
-CHECKS = ogive_results.ROOT / "docs" / "results" / "acceptance.toml"
-BEYOND = ogive_results.ROOT / "docs" / "results" / "acceptance_beyond.toml"
-FOLDER = ogive_results.ROOT / "docs" / "results" / "results"
-FACTS = ogive_results.ROOT / "docs" / "results" / "paper_facts.toml"
+CHECKS = PAGE / "acceptance.toml"
+BEYOND = PAGE / "acceptance_beyond.toml"
+FACTS = PAGE / "paper_facts.toml"
 
 UNITS = {"percent": "%", "mps": "m/s", "standard_errors": "standard errors"}
 BOUND = re.compile(r"(within|at_least|at_most|above|below)(?:_(\w+))?")
@@ -37,7 +29,7 @@ class Bound:
                 "below": measured < self.value}[self.relation]
 
     def share(self, measured):
-        """How much of what is allowed is used up: more than 1 where the bound does not hold."""
+        """The used share of the bound: more than 1 where it does not hold."""
         size = abs(measured) if self.relation == "within" else measured
         share = size / self.value if size * self.value > 0 else 0
         # A floor above zero is used up by what is small, one below zero by what is large.
@@ -80,7 +72,7 @@ class Check:
         self.figures = figures if isinstance(figures, list) else [figures]
         if not self.figures or not all(isinstance(f, int) and 0 <= f <= 99 for f in self.figures):
             self.refuse("figure", "must be the number of a figure or a list of them, 0 for all runs")
-        self.measure, needed, allowed = KINDS[table["kind"]]
+        self.measure, units, needed, allowed = KINDS[table["kind"]]
         known = {"id", "figure", "statement", "kind", "method", "model", "spacing_mm", *needed, *allowed}
         self.bounds = []
         for name, value in table.items():
@@ -88,12 +80,15 @@ class Check:
             if name not in known and not match:
                 self.refuse(name, f"is unknown: {table['kind']} takes {', '.join(sorted(known))} and bounds")
             if match:
-                self.bounds.append(Bound(match[1], self.value(name, (int, float)), match[2] or ""))
+                self.bounds.append(Bound(match[1], self.value(name, NUMBER), match[2] or ""))
         for name in needed:
             if name not in table:
                 raise InputError(f"{self.where}: {name}: is required by {table['kind']}")
         if bool(self.bounds) == (table["kind"] == "picture") or len({bound.unit for bound in self.bounds}) > 1:
             raise InputError(f"{self.where}: bounds: must be one or more of the same unit, none for a picture")
+        units = self.units_of_quantity() if units is None else units
+        if self.bounds and self.bounds[0].unit not in units:
+            self.refuse("kind", "takes bounds " + " or ".join("in " + u if u else "without unit" for u in units))
 
     def refuse(self, name, problem):
         raise InputError(f"{self.where}: {name} = {self.table.get(name)!r}: {problem}")
@@ -107,35 +102,27 @@ class Check:
 
     def several(self, name, kind):
         """One value or a list of them, as a list."""
-        values = self.value(name)
-        values = values if isinstance(values, list) else [values]
+        values = self.value(name) if isinstance(self.value(name), list) else [self.value(name)]
         if not values or not all(isinstance(v, kind) and not isinstance(v, bool) for v in values):
             self.refuse(name, "must be a text or a list of texts" if kind is str else "must be a number or a list")
         return values
 
-    def unit(self, *units):
-        """The unit of the bounds, which must be one of those."""
-        if self.bounds[0].unit not in units:
-            self.refuse("kind", "takes bounds " + " or ".join("in " + u if u else "without unit" for u in units))
-        return self.bounds[0].unit
-
-    def unit_of_quantity(self):
-        """The unit of the bounds of a quantity, which ends with its own; the ratio of two has none. A number without
-        unit may be held against percent."""
+    def units_of_quantity(self):
+        """The units of the bounds of a quantity, which ends with its own; the ratio of two has none. A number without unit
+        may be held against percent."""
         ending = self.value("quantity", str).rsplit("_", 1)[-1]
-        units = (ending,) if ending in ("mm", "mps", "g", "K", "us") and not self.value("per") else ("", "percent")
-        return self.unit(*units)
+        return (ending,) if ending in ("mm", "mps", "g", "K", "us") and not self.value("per") else ("", "percent")
+
+    def factor(self):
+        return 100 if self.bounds[0].unit == "percent" else 1
 
     def plates(self):
         """All noses with all thicknesses."""
-        return list(itertools.product(self.several("nose", str), self.several("thickness_mm", (int, float))))
+        return list(itertools.product(self.several("nose", str), self.several("thickness_mm", NUMBER)))
 
     def _series(self, rows, nose, thickness_mm):
-        metal, method, model = self.value("metal", str), self.value("method", str), self.value("model", str)
-        spacing_mm = self.value("spacing_mm", (int, float))
-        return [row for row in rows if metal_of(row["material"]) == metal and row["nose"] == nose
-                and row["method"] == method and row["model"] == model
-                and abs(row["thickness_mm"] - thickness_mm) < 1e-6 and abs(row["spacing_mm"] - spacing_mm) < 1e-6]
+        return of_plate(rows, self.value("metal", str), nose, thickness_mm, self.value("model", str),
+                        self.value("method", str), self.value("spacing_mm", NUMBER))
 
     def shots(self, nose, thickness_mm):
         return self._series(self.results.shots, nose, thickness_mm)
@@ -144,22 +131,20 @@ class Check:
         """The one that the check is about: at velocity_mps, or the slowest that perforated once the limit is known."""
         shots = self.shots(nose, thickness_mm)
         if "velocity_mps" in self.table:
-            velocity = self.value("velocity_mps", (int, float))
-            found = [s for s in shots if abs(s["initial_velocity_mps"] - velocity) < 1e-6]
+            velocity = self.value("velocity_mps", NUMBER)
+            found, what = [s for s in shots if close(s["initial_velocity_mps"], velocity)], f"at {short(velocity)} m/s"
         else:
             self.limit(nose, thickness_mm)
-            found = sorted((s for s in shots if s["perforated"]), key=lambda s: s["initial_velocity_mps"])
-            velocity = None
+            found, what = [s for s in shots if s["perforated"]], "that perforated"
         if not found:
-            what = "no shot that perforated" if velocity is None else f"no shot at {short(velocity)} m/s"
-            raise Missing(f"{what}, {plate_text(nose, thickness_mm)}")
-        return found[0]
+            raise Missing(f"no shot {what}, {plate_text(nose, thickness_mm)}")
+        return min(found, key=lambda s: s["initial_velocity_mps"])
 
     def limit(self, nose, thickness_mm):
         """The row with a ballistic limit that bisection has found closely enough."""
         rows = self._series(self.results.limits, nose, thickness_mm)
-        half = ogive_results.half_width_mps(rows[0]) if rows else None
-        widest = self.value("widest_bracket_mps", (int, float))
+        half = half_width_mps(rows[0]) if rows else None
+        widest = self.value("widest_bracket_mps", NUMBER)
         if half is None or 2 * half > widest:
             raise Missing(f"no limit to {short(widest / 2)} m/s by bisection, {plate_text(nose, thickness_mm)}")
         return rows[0]
@@ -171,37 +156,36 @@ class Check:
         return row[name]
 
     def result(self):
-        limit = " and ".join(bound.text() for bound in self.bounds) or "it is there"
-
-        def made(status, measured, share):
-            return Result(self.table["id"], self.figures, self.table["statement"], self.table["kind"] == "picture",
-                          status, measured, limit, share)
-
         try:
-            measured = self.measure(self)
+            found = self.judged(list(self.measure(self)))
         except Missing as missing:
-            return made("missing", str(missing), math.inf)
+            found = "missing", str(missing), math.inf
+        limit = " and ".join(bound.text() for bound in self.bounds) or "it is there"
+        return Result(self.table["id"], self.figures, self.table["statement"], self.table["kind"] == "picture", *found[:2],
+                      limit, found[2])
+
+    def judged(self, measured):
+        """Status, text and share of the worst value."""
         share, value, label = max(((max((b.share(v) for b in self.bounds), default=0), v, text)
                                    for v, text in measured), key=lambda found: found[0])
-        unit = UNITS.get(self.bounds[0].unit, self.bounds[0].unit) if self.bounds else ""
+        if not self.bounds:
+            return "pass", label, share
+        unit = UNITS.get(self.bounds[0].unit, self.bounds[0].unit)
         deviates = self.measure is limit_against_test or any(bound.relation == "within" for bound in self.bounds)
-        sign = "+" if deviates and value > 0 else ""
-        text = f"{sign}{short(value, 3)}{' ' + unit if unit else ''} ({label})" if self.bounds else label
-        holds = all(bound.holds(value) for bound in self.bounds)
-        return made("pass" if holds else "FAIL", text, share)
+        text = f"{'+' if deviates and value > 0 else ''}{short(value, 3)}{' ' + unit if unit else ''} ({label})"
+        return "pass" if all(bound.holds(value) for bound in self.bounds) else "FAIL", text, share
 
 
 def run_checks(results, tests, file=CHECKS, spacing_mm=None):
     """All checks of a file; `spacing_mm` replaces the particle distance of its [defaults]."""
-    tables = ogive_results.read_toml(file)
+    tables = read_toml(file)
     defaults = tables.get("defaults", {})
     if spacing_mm is not None:
         defaults["spacing_mm"] = spacing_mm
     checks = [Check(table, defaults, results, tests, Path(file)) for table in tables.get("check", [])]
     ids = [check.table["id"] for check in checks]
-    for name in ids:
-        if ids.count(name) > 1:
-            raise InputError(f"{file}: id = {name}: must be the id of one check only")
+    for name in (name for name in ids if ids.count(name) > 1):
+        raise InputError(f"{file}: id = {name}: must be the id of one check only")
     if not checks:
         raise InputError(f"{file}: has no [[check]]")
     return [check.result() for check in checks]
@@ -226,34 +210,21 @@ def summary(results):
 
 def figure_table(results):
     """The status of each figure in Markdown, for the README."""
-    lines = ["| figure | what it shows | status | checks | what decides |", "|---|---|---|---|---|"]
-    for fact in ogive_results.read_toml(FACTS)["figure"]:
+    rows = []
+    for fact in read_toml(FACTS)["figure"]:
         of_figure = [r for r in results if fact["number"] in r.figures]
         word, decides = status_of_figure(of_figure)
         passed = sum(r.status == "pass" for r in of_figure)
         text = f"{decides.statement}: {decides.measured}; asked: {decides.limit}" if decides else ""
-        lines.append(f"| {fact['number']} | {fact['title']} | {word} | {passed} of {len(of_figure)} | {text} |")
-    return "\n".join(lines)
+        rows.append([str(fact["number"]), fact["title"], word, f"{passed} of {len(of_figure)}", text])
+    return markdown_table(["figure", "what it shows", "status", "checks", "what decides"], rows)
 
 
-def main():
-    parser = ogive_results.OneLineParser(prog="accept", description=__doc__)
-    parser.add_argument("folder", nargs="?", type=Path, default=FOLDER,
-                        help="with results: of a page (docs/results/results, the default) or of a campaign")
-    parser.add_argument("--checks", type=Path, default=CHECKS, help="the file [docs/results/acceptance.toml]")
-    parser.add_argument("--data", type=Path, default=ogive_results.DATA, help="tables of tests [apps/data]")
-    parser.add_argument("--spacing-mm", type=float, help="particle distance of the runs [that of the file]")
-    parser.add_argument("--figures", action="store_true", help="print the status of each figure, in Markdown, instead")
-    o = parser.parse_args()
-    results = run_checks(ogive_results.read_results(o.folder), ogive_results.read_tests(o.data), o.checks, o.spacing_mm)
-    if o.figures:
+def accept(folder, figures, checks, spacing_mm):
+    """Prints a line for each check, or the status of each figure; gives 1 if a check failed or lacks its data."""
+    results = run_checks(Results(folder), Tests(), checks, spacing_mm)
+    if figures:
         print(figure_table(results))
         return 0
-    for result in results:
-        print(result.line())
-    print(summary(results))
+    print("\n".join([*(result.line() for result in results), summary(results)]))
     return 0 if all(result.status == "pass" for result in results) else 1
-
-
-if __name__ == "__main__":
-    sys.exit(ogive_results.run_main("accept", main))

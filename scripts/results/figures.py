@@ -1,0 +1,140 @@
+"""Runs or resumes all shots of the paper's figures, draws them and makes the page."""
+
+import math
+import os
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from . import fits
+from .data import PAGE, PROGRAMS, ROOT, InputError, build, short
+from .page import make_page
+from .published import take_published
+
+CAMPAIGNS = ("steel_blunt", "nose_shapes", "aluminium_conical")
+METHODS = ("sfm", "stabilised", "adaptive")
+
+
+class Shot:
+    """A shot of a picture, of the modified law, in the folder that the programs of the figures give it."""
+
+    def __init__(self, figures, method, material, nose, thickness, velocity, spacing):
+        name = f"{method}_mjc_{material}_{nose}_{thickness}mm_{velocity}mps_{short(spacing)}mm".removeprefix("sfm_")
+        self.thickness, self.velocity, self.folder = thickness, velocity, figures / "shots" / name
+        self.series = self.folder / "perforation.pvd"
+
+    def is_there(self, number):
+        if self.series.exists() and (self.folder / "summary.json").exists():
+            return True
+        print(f"figure {number} is left out: no shot with frames in {self.folder}")
+        return False
+
+    def last_us(self):
+        return max((float(frame.get("timestep")) for frame in xml.parse(self.series).iter("DataSet")), default=-math.inf)
+
+
+def times(shots, wanted):
+    """Those times that all the series have frames for."""
+    last = min(shot.last_us() for shot in shots)
+    return [time for time in wanted if time <= last]
+
+
+class Campaign:
+    """Where a campaign is, and the steps of it that failed."""
+
+    def __init__(self, figures, programs, spacing):
+        self.figures, self.programs, self.spacing, self.failed = figures, programs, spacing, []
+
+    def attempt(self, text, *command, **options):
+        """Runs a command; if it fails that is reported at the end."""
+        try:
+            subprocess.run(list(map(str, command)), check=True, **options)
+        except subprocess.CalledProcessError as error:
+            self.failed.append(f"{text} (exit status {error.returncode})")
+        except OSError as error:
+            self.failed.append(f"{text} ({error.filename}: {error.strerror})")
+
+    def fit(self, page_only):
+        folder, program = self.figures / "figures_1_to_3", self.programs / "ogive"
+        if fits.are_done(folder, program, page_only):
+            return
+        try:
+            fits.run_fits(folder, program)
+            print(f"figures 1 to 3: {folder}")
+        except (OSError, subprocess.CalledProcessError) as error:
+            self.failed.append(f"figures 1 to 3 ({error})")
+
+    def draw(self, number, shots, *options):
+        """Draws a figure unless it is newer than the series."""
+        picture = self.figures / f"figure_{number}.png"
+        if picture.exists() and all(shot.series.stat().st_mtime <= picture.stat().st_mtime for shot in shots):
+            return
+        self.figures.mkdir(parents=True, exist_ok=True)
+        series = ["--series", *(shot.folder for shot in shots)] if shots else []
+        self.attempt(picture, ROOT / "scripts" / "with_display.sh", self.programs / "ogive", "draw", *series, *options, "--out",
+                     picture)
+        if picture.exists():
+            print(f"figure: {picture}")
+
+    def pictures(self, method):
+        """Figs. 7, 8, 10 and 14 with a method."""
+        suffix, text = ("", "") if method == "sfm" else (f"_{method}", f", {method}")
+
+        def shot(material, nose, thickness, velocity):
+            return Shot(self.figures, method, material, nose, thickness, velocity, self.spacing)
+
+        def at(shots, wanted):
+            return ["--times-us", ",".join(map(str, times(shots, wanted)))]
+
+        steel_10, steel_6 = shot("weldox_460e", "blunt", 10, 180), shot("weldox_460e", "blunt", 6, 160)
+        if steel_10.is_there(f"7{suffix}"):
+            options = [*at([steel_10], (0, 10, 20, 30, 40, 50, 60, 80)), "--title",
+                       f"Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s{text}"]
+            self.draw(f"7{suffix}", [steel_10], *options)
+            self.draw(f"7_temperature{suffix}", [steel_10], "--colour", "temperature", *options)
+        if all([steel_6.is_there(f"8{suffix}"), steel_10.is_there(f"8{suffix}")]):
+            both, frames = [steel_6, steel_10], times([steel_6, steel_10], (0, 15, 30, 45, 60))
+            labels = [f"{plate}, {time} µs" for plate in ("(a) 6 mm", "(b) 10 mm") for time in frames]
+            self.draw(f"8{suffix}", both, *at(both, frames), "--label", *labels, "--columns", len(frames), "--title",
+                      f"Fig. 8: Weldox 460 E, blunt: (a) 6 mm, 160 m/s; (b) 10 mm, 180 m/s{text}")
+        sections = [shot("weldox_460e", "blunt", *pair)
+                    for pair in ((6, 110), (8, 135), (10, 160), (12, 195), (16, 240), (20, 310))]
+        if all([section.is_there(f"10{suffix}") for section in sections]):
+            self.draw(f"10{suffix}", sections, "--label", *(f"{s.thickness} mm, {s.velocity} m/s" for s in sections),
+                      "--columns", 3, "--times-us", "last", "--title", f"Fig. 10: Weldox 460 E, blunt, last frame{text}")
+        aluminium = shot("aa5083_h116", "conical", 15, 214)
+        if aluminium.is_there(f"14{suffix}"):
+            self.draw(f"14{suffix}", [aluminium], *at([aluminium], (0, 40, 80, 120, 160, 200, 280, 360)), "--title",
+                      f"Fig. 14: 15 mm AA5083-H116, conical, 214 m/s{text}")
+
+
+def make_figures(quick, page_only, published, method, jobs):
+    """All of it. FIGURES, PAGE and PROGRAMS name other folders for the shots, the page and the programs. Programs that fail
+    do not stop the others; the status is then 3."""
+    figures = Path(os.environ.get("FIGURES") or ROOT / "vtk_out" / ("figures_quick" if quick else "figures")).resolve()
+    page = Path(os.environ.get("PAGE") or (figures / "page" if quick else PAGE)).resolve()
+    programs = Path(os.environ.get("PROGRAMS") or PROGRAMS).resolve()
+    if not os.environ.get("PROGRAMS"):
+        build("ogive", *CAMPAIGNS)
+    sys.stdout.reconfigure(line_buffering=True)
+    if published:
+        take_published(page, figures)
+    campaign = Campaign(figures, programs, 1.5 if quick else 0.6)
+    options = ["--method", method, "--out", figures, "--spacing-mm", short(campaign.spacing), *(["--quick"] if quick else []),
+               *(["--no-pictures"] if published else []), *(["--no-run"] if page_only else ["--jobs", jobs] if jobs else [])]
+    for name in CAMPAIGNS:
+        campaign.attempt(name, programs / name, *options, stdout=subprocess.DEVNULL if page_only else None)
+    campaign.fit(page_only)
+    campaign.draw(4, [], "--projectiles")
+    campaign.draw(5, [], "--mesh", "--thickness-mm", 12, "--spacing-mm", campaign.spacing, "--nose", "blunt")
+    for name in METHODS:
+        if name == "sfm" or any(figures.glob(f"shots/{name}_*")):
+            campaign.pictures(name)
+    try:
+        make_page(figures, page, spacing_mm=campaign.spacing)
+    except InputError as error:
+        campaign.failed.append(f"page ({error})")
+    for text in campaign.failed:
+        print(f"figures: failed: {text}", file=sys.stderr)
+    return 3 if campaign.failed else 0

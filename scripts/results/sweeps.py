@@ -1,0 +1,107 @@
+"""The sweeps behind the tables of docs/: lists of cases in bench/cases with options for all of them, run by `ogive sweep`
+in folders below vtk_out/bench. Cases that a folder holds already are not run again."""
+
+import csv
+import re
+import subprocess
+import sys
+from functools import partial
+from operator import mul
+from pathlib import Path
+from typing import NamedTuple
+
+from .data import PROGRAMS, ROOT, InputError, read_json, read_records, write_text
+
+CASES = ROOT / "bench" / "cases"
+FOLDER = ROOT / "vtk_out" / "bench"
+PROGRAM = PROGRAMS / "ogive"
+
+
+class Sweep(NamedTuple):
+    folder: str  # below vtk_out/bench
+    cases: str  # bench/cases/CASES.csv
+    options: str = ""  # for all cases
+    text: str = "{}"  # of a row, from that of its case
+
+
+# Metals of the lists, by the file names there: a metal of the library, and what becomes of its constants.
+METALS = {
+    "floor_0.001.toml": ("weldox_460e", {"rate_floor_per_s": lambda _: 0.001}),
+    "floor_100.toml": ("weldox_460e", {"rate_floor_per_s": lambda _: 100}),
+    "boervik_2001.toml": ("weldox_460e", {"D1": lambda _: 0.0705, "D2": lambda _: 1.732, "D3": lambda _: -0.54,
+                                          "D4": lambda _: -0.0123, "D5": lambda _: 0}),
+    **{f"aluminium_{name}_{factor}.toml": ("aa5083_h116", {key: partial(mul, factor)})
+       for name, key in (("A", "A_MPa"), ("B", "B_MPa"), ("a", "a")) for factor in (0.9, 1.1)},
+}
+
+
+def changed_metal(text, name, changes):
+    """A material file with other constants."""
+    for key, change in changes.items():
+        text, count = re.subn(rf"^({key} = )([^ \n#]+)", lambda m, change=change: f"{m[1]}{change(float(m[2])):.10g}", text,
+                              flags=re.MULTILINE)
+        if count != 1:
+            raise InputError(f"{name}: {key}: is no constant of the metal: must be one")
+    return re.sub(r'^name = .*', f'name = "{name.removesuffix(".toml")}"', text, flags=re.MULTILINE)
+
+
+def cases_file(sweep, folder):
+    """The list with the names of its material files as paths; makes those files."""
+    source = CASES / f"{sweep.cases}.csv"
+    header, records = read_records(source)
+    if not any(field.endswith(".toml") for _, fields in records for field in fields):
+        return source
+    at = header.index("material")
+    for _, fields in records:
+        if fields[at] in METALS:
+            metal, changes = METALS[fields[at]]
+            shown = subprocess.run([PROGRAM, "materials", "show", metal], check=True, capture_output=True, text=True)
+            write_text(folder / fields[at], changed_metal(shown.stdout, fields[at], changes))
+            fields[at] = str(folder / fields[at])
+    with open(folder / "cases.csv", "w", encoding="utf-8", newline="") as stream:
+        csv.writer(stream, lineterminator="\n").writerows([header, *(fields for _, fields in records)])
+    return folder / "cases.csv"
+
+
+def run(sweep, jobs=None):
+    """Runs the cases that the folder lacks; those that fail are reported and have no row."""
+    folder = FOLDER / sweep.folder
+    command = list(map(str, [PROGRAM, "sweep", cases_file(sweep, folder), *(["--jobs", jobs] if jobs else []),
+                             *sweep.options.split(), "--no-vtk", "--no-picture", "--out", folder]))
+    print(" ".join(command), file=sys.stderr)
+    status = subprocess.run(command, check=False, stdout=2).returncode  # standard output belongs to the tables
+    if status:
+        print(f"results: {sweep.folder} ended with status {status}", file=sys.stderr)
+
+
+def texts(file):
+    """Rows as texts."""
+    header, records = read_records(file)
+    return [dict(zip(header, fields)) for _, fields in records]
+
+
+def cases(sweep):
+    return texts(CASES / f"{sweep.cases}.csv")
+
+
+def summary(sweep, name):
+    """summary.json of a case that has been run, with the options of its row; None if it has not, or ended with a fault."""
+    file = FOLDER / sweep.folder / "shots" / name / "summary.json"
+    found = read_json(file) if file.exists() else {"fault": "not run"}
+    return None if found.get("fault") else found
+
+
+def limits(sweep):
+    """The limits that have been found, m/s, by the name of the case. The rows of limits have no names but values of all
+    options: that of a case has its values, and in columns that it leaves empty none that others of the list give."""
+    file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
+    columns = [column for column in listed[0] if column not in ("name", "text")]
+    given = {column: {case[column] for case in listed} - {""} for column in columns}
+
+    def value(row, column):
+        return Path(row[column]).name if column == "material" else row[column]
+
+    return {case["name"]: float(row["bisection_limit_mps"]) for case in listed
+            for row in (texts(file) if file.exists() else [])
+            if row["bisection_limit_mps"] and all(value(row, c) == case[c] if case[c] else value(row, c) not in given[c]
+                                                  for c in columns)}
