@@ -25,7 +25,7 @@ struct Interval {
 /// True if `x` lies in the interval.
 inline bool holds(const Interval &interval, double x) { return x >= interval.from && x <= interval.to; }
 
-/// What is known of the metal and of the tests, and what the fit should look at.
+/// What is known of the metal and of the tests, and what the fit should use.
 struct SeriesSettings {
   double room = 293;                   ///< Tr, K
   double melting{};                    ///< Tm, K
@@ -78,7 +78,7 @@ struct TestSeries {
   std::vector<SortedCurve> curves; ///< in the order of the tables
   /// Plates with a hardening curve of their own; last, if a plate has no quasi-static curve, `all_plates`.
   std::vector<std::string> hardenings;
-  bool pooled = false;               ///< whether the last one stands for all plates
+  bool pooled = false;               ///< whether the last one is for all plates
   double quasi_static_rate{};        ///< 1/s, geometric mean over the quasi-static curves
   std::vector<std::string> messages; ///< one line each, for the user
 };
