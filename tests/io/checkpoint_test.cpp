@@ -117,7 +117,7 @@ TEST_CASE("a checkpoint puts a model where it was, and leaves no other file") {
   RunState<double> state, restored_state;
   run_steps(model, state, 13);
   restore(read_checkpoint(saved.path), restored, restored_state);
-  CHECK(restored_state.looked_at == state.looked_at);
+  CHECK(restored_state.observed_at == state.observed_at);
   restored.times = model.times;
   CHECK(state_of(restored, restored_state) == state_of(model, state));
   CHECK(read_checkpoint_notes(saved.path) == "notes of a program");

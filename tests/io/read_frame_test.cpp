@@ -122,7 +122,7 @@ TEST_CASE("a frame that does not tell its symmetry needs the caller to") {
   write_vtu(folder.path / series.frames[0].parts[0].file, frame.clouds[0]);
   for (std::size_t g = 0; g < 2; ++g) write_vtu(folder.path / series.frames[0].parts[g + 1].file, frame.grids[g]);
   CHECK_THROWS_WITH(read_frame(series, 0), (folder.path / "frames" / "run_plate_sph_0000.vtu").string() +
-                                               ": does not tell whether it is a quarter, a half or all of a model");
+                                               ": does not state whether it is a quarter, a half or all of a model");
   CHECK(read_frame(series, 0, SymmetryPlanes{false, true}).symmetry.copies() == 2);
   CHECK(read_frame(series, 1, SymmetryPlanes{false, true}).symmetry.copies() == 4);
 }

@@ -207,7 +207,7 @@ TEST_CASE("energy from nowhere stops the run", "[sim]") {
   SECTION("beyond the limit") {
     const RunResult result = run(model, RunOptions<double>{.end_time = 9e-6, .largest_energy_error = 0.2}, push);
     REQUIRE(result.fault);
-    CHECK(result.fault->what.find("the energy balance is off by 21") == 0); // 1.1^2
+    CHECK(result.fault->what.find("the error of the energy balance is 21") == 0); // 1.1^2
     CHECK(result.fault->what.find(" J, from ") != std::string::npos);
     CHECK(calls == 4); // and a last look
   }

@@ -46,8 +46,8 @@ template <class T> struct FacetPoint {
   T distance_squared{};               ///< m2
 };
 
-/// The nearest of some facets so far. Two that are equally near to 1e-6, as on both sides of an edge, are told apart by
-/// how well their normals point to the place that they are near to.
+/// The nearest of some facets so far. Of two that are equally near to 1e-6, as on both sides of an edge, the one
+/// whose normal points better at the given place is the nearest.
 template <class T> struct NearestSoFar {
   T distance_squared{}; ///< m2
   T alignment{};        ///< m, part of the distance that is along the normal

@@ -37,7 +37,7 @@ template <class T> struct ContactState {
   std::vector<T> present_offset;         ///< m, of slaves that began nearer than their offset; empty: that of all
   T reference_time_step{};               ///< s, of the stiffness; 0: that of the first step
   std::vector<ContactForce<T>> forces;   ///< one for each slave
-  std::vector<ContactForce<T>> opposite; ///< from across, on slaves in gaps; empty: gaps are not looked for
+  std::vector<ContactForce<T>> opposite; ///< from across, on slaves in gaps; empty: gaps are not checked
   std::vector<T> normal_energy;          ///< J, work taken by the penalty springs, one for each slave
   std::vector<T> friction_energy;        ///< J, one for each slave
   Index lost = -1;                       ///< the first slave that got lost behind the surface; -1: none

@@ -29,9 +29,9 @@ Vec3<T> angle_weighted_normal(const Vec3<T> &a, const Vec3<T> &b, const Vec3<T> 
 }
 
 /// True if `p` (m), where slave `a` of the active list is, lies outside the surface, whose closest facet is `distance`
-/// (m) away: by the angle-weighted normals of all triangles that meet at the closest point, which tell the side of any
+/// (m) away: by the angle-weighted normals of all triangles that meet at the closest point, which give the side of any
 /// closed surface (Baerentzen & Aanaes 2005). Edges may be of any kind and facets warped, so that the normal of one
-/// facet does not tell. True if no candidate is near.
+/// facet is not enough. True if no candidate is near.
 template <class T>
 bool is_outside(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p, T distance) {
   const auto for_each_near_triangle = [&](T reach, auto &&f) {

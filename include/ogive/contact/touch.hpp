@@ -148,7 +148,7 @@ template <class T> void use_up_room(NodeToSurface<T> &contact, const Nodes<T> &n
   });
 }
 
-/// The room of slave `s` after a check, m: until it is used up, there is no need to look for what it touches. None for
+/// The room of slave `s` after a check, m: until it is used up, no touch need be searched for. None for
 /// one that touches, or whose offset grows.
 template <class T> T room_after(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
   if (offset_now(contact, s) < contact.offset[s]) return T(0);

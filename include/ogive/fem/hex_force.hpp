@@ -9,8 +9,8 @@
 
 namespace ogive {
 
-/// Corner values of a node field for a pack of hexes. The nodes of removed hexes may be anywhere: `of_removed` stands
-/// for their values.
+/// Corner values of a node field for a pack of hexes. The nodes of removed hexes may be anywhere: their values are
+/// `of_removed`.
 template <class T, class Law, class Rule>
 Corners<Pack<T>> gather_corners(const HexBody<T, Law, Rule> &body, const std::vector<Vec3<T>> &field, Index pack,
                                 const std::array<Vec3<T>, 8> &of_removed) {

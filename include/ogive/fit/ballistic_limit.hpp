@@ -97,7 +97,7 @@ struct Points {
 };
 
 /// A curve by p and w, w the share of the asymptote that the slowest point has. The curve bends infinitely at the
-/// limit, but is smooth in w, which says by 0 to 1 that the limit lies between the slowest point and 0.
+/// limit, but is smooth in w, which expresses by 0 to 1 that the limit lies between the slowest point and 0.
 struct Trial {
   double p{}, w{}, a{};
   Eigen::VectorXd error;
@@ -145,7 +145,7 @@ inline Trial best_of(const Points &points, const Face &face) {
 }
 
 /// The best curve within bounds, and on which of them it lies. On a bound the slope by the angle vanishes and
-/// Levenberg-Marquardt slows down; what lies there is therefore looked for by itself.
+/// Levenberg-Marquardt slows down; what lies there is therefore searched for separately.
 inline std::pair<Trial, Face> best_within_bounds(const Points &points, std::optional<double> held_p) {
   std::vector<Face> faces;
   using Choices = std::vector<std::optional<double>>;
@@ -190,7 +190,7 @@ void add_standard_errors(BallisticFit<T> &fit, const BallisticCurve<double> &c, 
     const auto slope = slopes(c, points.initial[i]);
     for (Eigen::Index j = 0; j < columns; ++j) J(i, j) = slope[inside[static_cast<std::size_t>(j)]];
   }
-  // The parameters differ in unit and size; the rank is looked for in columns of length one.
+  // The parameters differ in unit and size; the rank is that of columns of length one.
   const Eigen::VectorXd length = J.colwise().norm();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(J * length.cwiseInverse().asDiagonal());
   if (!J.allFinite() || !(length.minCoeff() > 0) || qr.rank() < columns) return;
@@ -231,7 +231,7 @@ inline std::size_t different(const Eigen::ArrayXd &values) {
 } // namespace ballistic_limit_detail
 
 /// Least squares of the residual velocities of all shots that perforated; shots that were stopped are left out, and
-/// without any that perforated there is nothing. Asked of the shots is what they can tell:
+/// without any that perforated there is nothing. The shots determine:
 ///
 ///     5 or more                a, p and limit
 ///     3 or 4                   a and limit, p = 2
@@ -242,7 +242,7 @@ inline std::size_t different(const Eigen::ArrayXd &values) {
 /// best of a grid.
 ///
 /// Bounds: 0 < a <= 1.2, 1 <= p <= 8 (see there), and 0 <= limit <= the lowest velocity that perforated, as a curve
-/// that says stopped for that one contradicts it. The upper one can be active only for p = 1, as all other curves leave
+/// that stopped the projectile contradicts it. The upper one can be active only for p = 1, as all other curves leave
 /// the limit with infinite slope and reach any small residual velocity just above it. The lower one is where shots keep
 /// more than `a` of their velocity; p then is held, as it no longer matters. Shots that were stopped may lie above the
 /// limit: compare with `bracket` of ogive/perforation/limit_search.hpp.

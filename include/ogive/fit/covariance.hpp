@@ -10,7 +10,7 @@
 
 namespace ogive {
 
-/// Factors sqrt(n/(n - p)) for each equation: n the points that it looks at, p the equations that look at the same
+/// Factors sqrt(n/(n - p)) for each equation: n the points that it uses, p the equations that use the same
 /// ones.
 inline Eigen::VectorXd small_sample_factors(const Eigen::MatrixXd &scores) {
   const auto seen = (scores.array() != 0).eval();

@@ -52,7 +52,7 @@ inline std::string list_of(const Columns &c) {
          ", " + c[plate];
 }
 
-/// A point as it stands in a table.
+/// A point of a table.
 struct Entry {
   double strain{}, stress{};
   std::size_t table{};
@@ -143,7 +143,7 @@ inline void read_table(const CurveTable &table, std::size_t index, const CurveTa
   require(any, table.name + ": rows", 0, "must be one or more below a header with " + list_of(names));
 }
 
-/// Turns an engineering curve into a true one, and says what was left out.
+/// Turns an engineering curve into a true one, and reports what was left out.
 inline void convert(Entries &e, const CurveTableFormat &format, const std::vector<CurveTable> &tables,
                     std::vector<std::string> &messages) {
   std::vector<double> strain, stress;

@@ -18,7 +18,7 @@ namespace ogive {
 struct HardeningPoint {
   double strain{};   ///< plastic
   double stress{};   ///< Pa
-  double factor = 1; ///< what the law says besides hardening
+  double factor = 1; ///< the law's factors besides hardening
 };
 
 namespace hardening_detail {
@@ -44,7 +44,7 @@ inline std::pair<Hardening, double> with_exponent(const std::vector<HardeningPoi
 
 /// Least squares of factor * (A + B strain^a), Pa. Starts from the best of a row of exponents between 0.01 and 2, for
 /// each of which A and B follow from linear equations (variable projection, Golub & Pereyra 1973). Throws SetupError
-/// for fewer than four points and for an A, B or a that is not positive; `name` says whose curve it is.
+/// for fewer than four points and for an A, B or a that is not positive; `name` is that of the curve.
 inline Hardening fit_hardening(const std::vector<HardeningPoint> &points, const std::string &name) {
   require(points.size() > 3, name + ": points", points.size(), "must be four or more to give A, B and a");
   constexpr int steps = 60;

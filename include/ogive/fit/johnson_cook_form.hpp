@@ -12,7 +12,7 @@
 
 namespace ogive {
 
-/// Which rate factor stands between hardening and softening.
+/// The rate factor between hardening and softening.
 enum class FlowForm {
   modified,    ///< rate^C, rate in 1/s (Liu et al. 2012, Eq. 2)
   logarithmic, ///< 1 + C ln(rate/rate0), 1 below rate0 (Johnson & Cook 1983)
@@ -43,7 +43,7 @@ inline ModifiedJohnsonCook<double> modified_law(const Hardening &h, double C, do
   return {.A = h.A, .B = h.B, .a = h.a, .C = C, .b = b};
 }
 
-/// The classical law with these parameters; a and b stand for its n and m.
+/// The classical law with these parameters; a and b are its n and m.
 inline JohnsonCook<double> classical_law(const FlowFrame &f, const Hardening &h, double C, double b) {
   return {.A = h.A,
           .B = h.B,

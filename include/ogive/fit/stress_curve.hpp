@@ -10,7 +10,7 @@ namespace ogive {
 /// A tensile test: true stress against plastic strain at one strain rate and one initial temperature.
 struct StressCurve {
   std::string plate;          ///< tests of one plate share a hardening curve; empty if there is only one
-  std::string specimen;       ///< empty if tests are not told apart
+  std::string specimen;       ///< empty if specimens are not distinguished
   double rate{};              ///< 1/s
   double temperature{};       ///< K, initial
   std::vector<double> strain; ///< true plastic strain, ascending

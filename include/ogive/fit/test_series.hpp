@@ -25,7 +25,7 @@ struct Interval {
 /// True if `x` lies in the interval.
 inline bool holds(const Interval &interval, double x) { return x >= interval.from && x <= interval.to; }
 
-/// What is known of the metal and of the tests, and what the fit should look at.
+/// What is known of the metal and of the tests, and what the fit should use.
 struct SeriesSettings {
   double room = 293;                   ///< Tr, K
   double melting{};                    ///< Tm, K
@@ -78,7 +78,7 @@ struct TestSeries {
   std::vector<SortedCurve> curves; ///< in the order of the tables
   /// Plates with a hardening curve of their own; last, if a plate has no quasi-static curve, `all_plates`.
   std::vector<std::string> hardenings;
-  bool pooled = false;               ///< whether the last one stands for all plates
+  bool pooled = false;               ///< whether the last one is for all plates
   double quasi_static_rate{};        ///< 1/s, geometric mean over the quasi-static curves
   std::vector<std::string> messages; ///< one line each, for the user
 };
@@ -146,7 +146,7 @@ inline TestSeries sorted_series(std::vector<StressCurve> curves, const SeriesSet
   for (const auto &c : curves)
     if (at_room(c)) lowest = std::min(lowest, c.rate);
   require(std::isfinite(lowest), "curves within 10 K of room temperature", 0,
-          "must be one or more: A, B and a are taken from the slowest of them; room temperature (--room-K) is " +
+          "must be one or more: A, B and a are taken from the slowest of them; room temperature is " +
               shortest(settings.room) + " K");
 
   double log_rates = 0, quasi_static = 0;
@@ -164,7 +164,8 @@ inline TestSeries sorted_series(std::vector<StressCurve> curves, const SeriesSet
     if (!sorted.temperature.empty())
       require(sorted.temperature.back() < settings.melting, description(curve) + ": temperature at its end (K)",
               shortest(sorted.temperature.back()),
-              "must stay below the melting temperature; see density, specific heat and --isothermal");
+              "must stay below the melting temperature; density, specific heat or the rate of adiabatic tests may be "
+              "wrong");
     if (sorted.use == CurveUse::quasi_static) log_rates += std::log(curve.rate), ++quasi_static;
     series.curves.push_back(std::move(sorted));
   }

@@ -83,12 +83,12 @@ inline void require_points(const TestSeries &s, const std::vector<TestPoint> &po
     require(count(gives_rate) > 1, "points for C", count(gives_rate),
             "needs two or more of a curve at room temperature faster than " + shortest(quasi_static_ratio) + " times " +
                 shortest(s.quasi_static_rate) + " 1/s with plastic strains " + from_to(s.settings.rate_window) +
-                " (--rate-window-from, --rate-window-to), or a known value, --C");
+                ", or a known value of C");
   if (!choice.b)
     require(count(gives_softening) > 1, "points for b", count(gives_softening),
             "needs two or more of a curve hotter than " + shortest(s.settings.room + room_tolerance) +
-                " K with plastic strains " + from_to(s.settings.thermal_window) +
-                " (--thermal-window-from, --thermal-window-to) that is not left out, or a known value, --b");
+                " K that is not left out, with plastic strains " + from_to(s.settings.thermal_window) +
+                ", or a known value of b");
 }
 
 inline std::vector<Hardening> hardening_step(const TestSeries &s, const std::vector<TestPoint> &points,
@@ -162,8 +162,8 @@ inline StepParameters three_steps(const TestSeries &s, const std::vector<TestPoi
     now = std::move(next);
     if (settled) return now;
   }
-  throw SetupError("calibration: the three steps do not settle after " + std::to_string(most_rounds) +
-                   " rounds; try --isothermal, or a known --C or --b");
+  throw SetupError("calibration: the three steps do not converge in " + std::to_string(most_rounds) +
+                   " rounds; isothermal curves or a known value of C or b would help");
 }
 
 } // namespace ogive

@@ -21,7 +21,7 @@
 #include <vector>
 
 /// \file
-/// The whole state of a model and of the loop that runs it, in one file. A run that goes on from there ends with the
+/// The whole state of a model and of the loop that runs it, in one file. A run that is resumed from there ends with the
 /// same bits as one that never stopped, with any number of threads. Another build of the program reads the file too,
 /// but another compiler or processor computes other last bits.
 

@@ -39,7 +39,7 @@ inline bool holds_no_row(std::string_view line) {
   return first == std::string_view::npos || line[first] == '#';
 }
 
-/// Reads the quoted part of a field. `at` stands behind the opening quotation mark, and afterwards behind the closing
+/// Reads the quoted part of a field. `at` is behind the opening quotation mark, and afterwards behind the closing
 /// one. Throws SetupError where there is none.
 inline void read_quoted(std::string_view text, const std::string &name, long &line, std::size_t &at,
                         std::string &field) {

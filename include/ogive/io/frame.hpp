@@ -15,7 +15,7 @@
 
 /// \file
 /// A model at one time as output sees it: plain arrays in single precision, copied out of the model. Each field's name
-/// says its unit.
+/// contains its unit.
 
 namespace ogive {
 

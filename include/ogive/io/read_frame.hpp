@@ -56,7 +56,7 @@ inline void require_readable(const std::filesystem::path &path, const char *kind
 
 namespace read_detail {
 
-/// As long as it lives, VTK says nothing on the terminal.
+/// As long as it lives, VTK prints nothing.
 struct QuietVtk {
   int before = vtkObject::GetGlobalWarningDisplay();
   QuietVtk() { vtkObject::SetGlobalWarningDisplay(0); }
@@ -253,7 +253,7 @@ inline void require_one_side(const HexGrid &hexes, SymmetryPlanes planes, const 
       throw read_error(path, "is not the quarter or half of a model that it is said to be");
 }
 
-/// Reads frame `k` of a series. Files from before frames told their symmetry need `symmetry`; others need not, and
+/// Reads frame `k` of a series. Files of versions that did not write the symmetry need `symmetry`; others need not, and
 /// win. Throws SetupError that names the file if one is missing, damaged or not as vtk.hpp writes it, or if the
 /// symmetry is not known or cannot be.
 inline Frame read_frame(const StoredSeries &series, std::size_t k, std::optional<SymmetryPlanes> symmetry = {}) {
@@ -264,9 +264,10 @@ inline Frame read_frame(const StoredSeries &series, std::size_t k, std::optional
   for (const VtkSeriesEntry &entry : series.frames[k].parts) {
     const auto path = series.pvd.parent_path() / entry.file;
     const auto grid = read_detail::read_vtu(path);
-    const auto told = read_detail::symmetry_of(grid);
-    if (!told && !symmetry) throw read_error(path, "does not tell whether it is a quarter, a half or all of a model");
-    frame.symmetry = told ? *told : *symmetry;
+    const auto written = read_detail::symmetry_of(grid);
+    if (!written && !symmetry)
+      throw read_error(path, "does not state whether it is a quarter, a half or all of a model");
+    frame.symmetry = written ? *written : *symmetry;
     if (grid->GetFieldData()->GetArray(diameter_array) != nullptr)
       frame.clouds.push_back(read_detail::cloud_from(grid, entry, path));
     else

@@ -74,7 +74,7 @@ inline void add_part_number(vtkDataSetAttributes *attributes, int part, std::siz
 /// Name of the field data that say which mirror planes a part ends at: 1 or 0 for x = 0, then for y = 0.
 inline constexpr char symmetry_array[] = "symmetry_planes";
 
-/// Adds the mirror planes, without which a part on its own does not tell a quarter from the whole.
+/// Adds the mirror planes, without which a quarter alone cannot be distinguished from the whole.
 inline void add_symmetry(vtkUnstructuredGrid *grid, SymmetryPlanes planes) {
   vtkNew<vtkIntArray> array;
   array->SetName(symmetry_array);

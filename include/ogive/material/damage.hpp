@@ -19,9 +19,9 @@ enum class DamageLaw {
 
 /// What a material point does once its damage has reached 1.
 enum class FailureEffect {
-  none,       ///< nothing: damage is only written (the paper's runs)
+  none,       ///< none: damage is only written (the paper's runs)
   no_tension, ///< it carries neither shear nor tension, pressure only
-  removal     ///< it acts on nothing any more; its nodes fly on with their mass
+  removal     ///< it exerts no force; its nodes keep mass and velocity
 };
 
 /// Where failure strains follow the particle distance, see regularised().
@@ -47,7 +47,7 @@ template <class T> struct Damage {
 /// The damage of a body of particles `spacing` (m) apart. A band of localised shear is as wide as some particle
 /// distances, however fine they are, so that the same displacement means more strain in finer ones; metal that
 /// stretches around it has the same strain in any. Failure strain and critical work are multiplied by
-/// (length/spacing)^exponent, at any stress or, where the scope says so, in shear alone.
+/// (length/spacing)^exponent, at any stress or, with LengthScope::in_shear, in shear alone.
 template <class T> Damage<T> regularised(Damage<T> damage, T spacing) {
   if (!(damage.length > T(0))) return damage;
   const T finer = std::pow(damage.length / spacing, damage.length_exponent);

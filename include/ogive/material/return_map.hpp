@@ -9,7 +9,7 @@
 
 namespace ogive {
 
-/// What the radial return found.
+/// Result of the radial return.
 template <class N> struct PlasticStep {
   N increment{};   ///< of the equivalent plastic strain
   N flow_stress{}; ///< Pa, at the end of the step
@@ -18,7 +18,7 @@ template <class N> struct PlasticStep {
 /// Radial return (Wilkins 1964): finds the increment of plastic strain with
 /// q_trial - 3 G increment = flow_stress(strain + increment, increment/dt, T + beta sigma increment/(rho cp)),
 /// rate and temperature implicit, by Newton steps kept inside a bracket. `q_trial` in Pa, `dt` in s. `N` is T or a pack
-/// of T: then it goes on until all lanes have settled.
+/// of T: then the iteration continues until all lanes have converged.
 template <class T, class Law, class N>
 PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> &point, N q_trial, T dt) {
   using std::abs, std::max, std::min;

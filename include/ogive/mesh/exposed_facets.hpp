@@ -49,8 +49,8 @@ FaceNeighbours face_neighbours(const std::vector<std::array<Index, 8>> &hexes, c
   return neighbours;
 }
 
-/// The faces of hexes that are there with nothing behind them; `is_gone(e)` tells which are not. In the order of the
-/// hexes.
+/// The faces of present hexes with nothing behind them, in the order of the hexes; `is_gone(e)` is true for hexes that
+/// are no longer there.
 template <class F>
 std::vector<Facet> exposed_facets(const std::vector<std::array<Index, 8>> &hexes, const FaceNeighbours &neighbours,
                                   F &&is_gone) {

@@ -8,7 +8,7 @@
 
 /// \file
 /// A quarter (x >= 0, y >= 0) of a round body: a square core of hexes along the z axis with a shell around it, so that
-/// no hex collapses on the axis. The shell covers the core's sides and, if asked for, its front.
+/// no hex collapses on the axis. The shell covers the core's sides and, optionally, its front.
 
 namespace ogive {
 

@@ -21,7 +21,7 @@ template <class T> struct PlateShapeOfHexes {
   T fine_radius{};    ///< rings are about as wide as the hexes are high up to here, m
   T outer_radius{};   ///< clamp, m
   T thickness{};      ///< m
-  T size{};           ///< edge of the hexes asked for, m
+  T size{};           ///< target edge of the hexes, m
   T growth = T(1.15); ///< from one ring to the next beyond the fine ones
 };
 

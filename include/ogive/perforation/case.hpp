@@ -27,7 +27,7 @@ template <class T> struct PerforationCase {
   T thickness = T(12e-3);          ///< of the plate, of the first one if there are several, m
   T clamp_radius = T(250e-3);      ///< of the plate, m
   T sph_radius = T(24e-3);         ///< radius of the disc of particles, m
-  T spacing = T(0.6e-3);           ///< particle distance asked for, m
+  T spacing = T(0.6e-3);           ///< target particle distance, m
   Lattice lattice = Lattice::ring; ///< cubic ones break up along their rows under tension
   /// Shape of the projectile.
   ProjectileShape<T> projectile = paper_projectile<T>(Nose::blunt);

@@ -21,7 +21,7 @@ template <class T> struct FlightSample {
   T tail{};     ///< depth of the rear end, m
 };
 
-/// Where the shot stands.
+/// State of a shot.
 enum class FlightState { in_progress, perforated, stopped };
 
 /// The projectile's flight so far and what has been concluded from it.
@@ -91,7 +91,7 @@ template <class T> bool is_steady(const std::vector<FlightSample<T>> &samples, T
 }
 
 /// Records a sample and concludes. Blunt: perforated once the velocity is steady (0.1 % of the initial velocity) and
-/// `is_plug_loose()` says so; before that a plug that still hangs on the plate may come back to the nose. Sharp:
+/// `is_plug_loose()` is true; before that a plug that still hangs on the plate may come back to the nose. Sharp:
 /// perforated once the tail has left the rear face. Stopped once the projectile moves backwards by more than 0.2 % of
 /// the initial velocity. What has been concluded stays.
 template <class T, class IsPlugLoose>

@@ -37,7 +37,7 @@ template <class T> struct LimitEstimate {
 
 namespace limit_search_detail {
 
-/// Slowest shot that is asked for, m/s: a plate that does not stop it has no limit worth knowing.
+/// Lowest velocity of the search, m/s: a plate that does not stop such a shot has no limit worth knowing.
 template <class T> inline constexpr T least_velocity = T(1);
 
 template <class T> void require_positive(const char *thing, T value) {
@@ -93,7 +93,7 @@ template <class T> LimitBracket<T> bracket(const std::vector<TriedShot<T>> &trie
 /// much each further time, up to double or half the velocity. Then it is the middle of the bracket. Velocities are
 /// multiples of `round_to` where that moves them by no more than a quarter of the step or bracket; none is tried twice.
 /// Nothing, too, if even 1 m/s perforates or if no number lies between the bracket's ends. Where shots contradict each
-/// other the search goes on below the lowest that perforated; `bracket` tells.
+/// other the search continues below the lowest that perforated; see `bracket`.
 ///
 /// `expected`, m/s, is where a curve through the residual velocities of the shots that perforated ends. While no shot
 /// contradicts it, and until two widths are left, the search tries both sides of it instead of steps and middles.

@@ -79,7 +79,7 @@ template <class T> HexMesh<T> in_line_of_flight(HexMesh<T> mesh, const Perforati
   return mesh;
 }
 
-/// The metal with the density that gives the projectile of a case the mass that is asked for.
+/// The metal with the density that gives the projectile of a case its target mass.
 template <class T> Metal<T, Bilinear<T>> metal_of_mass(Metal<T, Bilinear<T>> metal, const PerforationCase<T> &c) {
   if (c.projectile_mass != T(0)) metal.density = c.projectile_mass / volume(c.projectile);
   return metal;

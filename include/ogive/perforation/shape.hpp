@@ -9,7 +9,7 @@
 
 namespace ogive {
 
-/// What a shot has made of a plate, in numbers that tell one way of failing from another. SI units; a radius or a
+/// Measures of a plate's deformation that distinguish modes of failure. SI units; a radius or a
 /// layer is that of the undeformed plate, R the projectile's radius.
 template <class T> struct PlateShape {
   T plug_thickness{};   ///< m, between the plug's front and rear faces within R/2; 0 without a plug or with a face gone
@@ -44,7 +44,7 @@ T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, s
 }
 
 /// A plate's shape now, from its particles or hexes and their undeformed positions (m), for a projectile of this radius
-/// (m) and a plate that lies where `plate` says.
+/// (m) and a plate at `plate`.
 template <class M, class T>
 PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, const Layer<T> &plate,
                           std::size_t layer = 0) {

@@ -69,7 +69,7 @@ template <class Words> struct BitWriter {
 };
 
 // Clang deduces the arguments of aggregates from version 17 on.
-/// The words tell the type.
+/// Deduced from the words.
 template <class Words> BitWriter(Words) -> BitWriter<Words>;
 
 /// The entries of a row whose bits are set.
@@ -104,7 +104,7 @@ template <class Words> struct SetEntries {
   End end() const { return {}; }
 };
 
-/// The words tell the type.
+/// Deduced from the words.
 template <class Words> SetEntries(std::span<const Index>, Words) -> SetEntries<Words>;
 
 /// The places within the support of some particle of cluster c, as the last velocity gradient found them.
@@ -119,8 +119,8 @@ template <class T, class F> void for_each_neighbour_pair(const Neighbours<T> &n,
         if (place < places && n.order[k] < n.order[place]) f(n.order[k], n.order[place]);
 }
 
-/// The particles sorted into columns along z of the width `width` (m) or wider, and by z within: near ones stand close
-/// together.
+/// The particles sorted into columns along z of the width `width` (m) or wider, and by z within: near ones are close
+/// together in memory.
 template <class T> std::vector<Index> column_order(std::span<const Vec3<T>> positions, T width) {
   Vec3<T> low = positions[0], high = positions[0];
   for (const auto &p : positions) low = low.cwiseMin(p), high = high.cwiseMax(p);

@@ -10,10 +10,10 @@ namespace ogive {
 
 /// When hexes turn into particles.
 template <class T> struct ConversionOptions {
-  int every = 4;                      ///< steps between two looks; a failed hex carries nothing in the meantime
-  T largest_compression = T(2);       ///< density over that of the undeformed metal; a hex beyond it is about to invert
-  T smallest_step = T(0.15);          ///< of a hex, over particle distance/sound speed; below it it is too distorted
-  T least_strain_to_look_at = T(0.2); ///< plastic; hexes with less are not so distorted
+  int every = 4;                   ///< steps between two checks; a failed hex carries nothing in the meantime
+  T largest_compression = T(2);    ///< density over that of the undeformed metal; a hex beyond it is about to invert
+  T smallest_step = T(0.15);       ///< of a hex, over particle distance/sound speed; below it it is too distorted
+  T least_checked_strain = T(0.2); ///< plastic; hexes with less are not so distorted
 };
 
 /// A plate whose hexes turn into particles where they fail: hex i into particle i of its body of particles, which are
@@ -25,7 +25,7 @@ template <class T> struct Conversion {
   FaceNeighbours neighbours;      ///< of the hexes
   T energy{};                     ///< J, kinetic energy of the corners against each other that was lost
   std::int64_t failed = 0;        ///< number of hexes that had failed
-  std::int64_t distorted = 0;     ///< number of those that had not, but were too distorted to go on
+  std::int64_t distorted = 0;     ///< number of those that had not, but were too distorted
 };
 
 /// Calls `f(name, value)` for each value of a conversion that a run changes.

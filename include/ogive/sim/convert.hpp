@@ -20,7 +20,7 @@
 /// A particle takes over the shares m_a that its hex has in the masses of its nodes: mass M = sum m_a, position
 /// sum m_a x_a / M, velocity v = sum m_a v_a / M, so that mass, momentum and centre of mass stay. The kinetic energy of
 /// the corners against each other, sum m_a v_a^2/2 - M v^2/2, is lost and booked. Density, temperature, plastic strain,
-/// damage and internal energy go on; the stress that is left is the pressure of the density, if it presses. What the
+/// damage and internal energy stay; the stress that is left is the pressure of the density, if it presses. What the
 /// hex had stored besides counts as dissipated, and the work against its hourglass forces stays booked there.
 ///
 /// Nodes keep their velocity; one without a hex has no mass, and integrate() leaves it where it is.
@@ -52,7 +52,7 @@ bool is_too_distorted(const HexBody<T, Law, Rule> &hexes, const Nodes<T> &nodes,
     if (const T density = hexes.points.density[i];
         density <= T(0) || density > options.largest_compression * hexes.metal.density)
       return true;
-  if (hexes.points.plastic_strain[e * points] < options.least_strain_to_look_at) return false;
+  if (hexes.points.plastic_strain[e * points] < options.least_checked_strain) return false;
   const Corners<T> x = gather_corners(nodes.position, hexes.hexes[e]);
   if (!(hex_volume<T>(x) > T(0)) || !(smallest_corner_jacobian<T>(x) > T(0))) return true;
   return stable_time_step_of_hex(hexes, nodes, e) < options.smallest_step * spacing / sound_speed(hexes.metal);
@@ -79,7 +79,7 @@ template <class T, class Law, class Rule> void settle(HexBody<T, Law, Rule> &bod
     body.hourglass_energy[e] += half * body.hourglass_force[e].cwiseProduct(hourglass_motion<T>(x, v, L).rate).sum();
 }
 
-/// The state with which the metal of hex e goes on as a particle: that of its points, their mean if they are several,
+/// The state of the particle that hex e turns into: that of its points, their mean if they are several,
 /// without shear and tension.
 template <class T, class Law, class Rule> MaterialPoint<T> failed_point(const HexBody<T, Law, Rule> &body, Index e) {
   MaterialPoint<T> mean;
@@ -154,13 +154,13 @@ void gather_masses(const HexBody<T, Law, Rule> &body, Nodes<T> &nodes, Index e) 
   }
 }
 
-/// The faces of the hexes that show now.
+/// The exposed faces of the hexes.
 template <class T, class Particles, class Hexes>
 std::vector<Facet> surface_of(const Conversion<T> &conversion, const Particles &particles, const Hexes &hexes) {
   return exposed_facets(hexes.hexes, conversion.neighbours, [&](Index e) { return is_converted(particles, e); });
 }
 
-/// Turns the hexes that have failed, or can go on no more, into particles, and lets the contacts follow.
+/// Turns the hexes that have failed or are too distorted into particles, and updates the contacts.
 template <class T, class Bodies> void convert(Conversion<T> &conversion, Model<T, Bodies> &model) {
   if (model.steps % conversion.options.every != 0) return;
   Nodes<T> &nodes = model.nodes;

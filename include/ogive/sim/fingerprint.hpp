@@ -13,7 +13,7 @@
 
 namespace ogive {
 
-/// Collects what tells one model from another.
+/// Collects what distinguishes one model from another.
 struct Fingerprint {
   std::uint64_t hash = hash_start; ///< of all that has been added
 
@@ -117,7 +117,7 @@ template <class T> void add_contact(Fingerprint &print, const ParticleContact<T>
   print.add(contact.smoothing_length), print.add(contact.stiffness), print.add(contact.search_margin);
 }
 
-/// Hash of all that stays as it is during a run, and of the list of what does not: equal for models that one checkpoint
+/// Hash of all that a run does not change, and of the list of what it does: equal for models that one checkpoint
 /// fits. The state, such as positions and velocities, does not enter.
 template <class T, class Bodies> std::uint64_t fingerprint(const Model<T, Bodies> &model) {
   Fingerprint print;
@@ -134,7 +134,7 @@ template <class T, class Bodies> std::uint64_t fingerprint(const Model<T, Bodies
   for (const RigidPart &part : model.rigid_parts) print.add(part.nodes);
   for (const Conversion<T> &c : model.conversions) {
     print.add(c.plate), print.add(c.surface), print.add(c.options.every);
-    for (const T number : {c.options.largest_compression, c.options.smallest_step, c.options.least_strain_to_look_at})
+    for (const T number : {c.options.largest_compression, c.options.smallest_step, c.options.least_checked_strain})
       print.add(number);
   }
   const RunState<T> run;

@@ -42,7 +42,7 @@ template <class T, class Bodies> struct Model {
   Vec3<T> support_impulse = Vec3<T>::Zero(); ///< N s, given by held nodes to the computed part of the model
 };
 
-/// Nodes and bodies tell the type of the model.
+/// Deduced from nodes and bodies.
 template <class T, class Bodies> Model(Nodes<T>, Bodies, SymmetryPlanes) -> Model<T, Bodies>;
 
 /// Calls `f(body)` for each body of a model, in a fixed order.

@@ -15,37 +15,37 @@
 
 namespace ogive {
 
-/// When to stop, look and check.
+/// When to stop, observe and check.
 template <class T> struct RunOptions {
   T end_time{};                       ///< s
   T observe_every = T(0.5e-6);        ///< s between calls of the observer
-  int time_step_every = 10;           ///< steps between two looks at the stable time step, see is_time_step_due()
+  int time_step_every = 10;           ///< steps between two checks of the stable time step, see is_time_step_due()
   int check_every = 20;               ///< steps between two checks of positions, velocities, hexes and contacts
   T smallest_step_fraction = T(0.02); ///< of the first time step; below it the run stops
   T largest_energy_error = T(0.05);   ///< of the initial energy; beyond it the run stops
   T domain_ratio = T(10);             ///< size of the domain, see find_astray(); the run stops when a node leaves it
 };
 
-/// Where the loop of run() stands between two steps: with the model, all that it needs to go on.
+/// State of the loop of run() between two steps: with the model, all that it needs to resume.
 template <class T> struct RunState {
-  T first_step{};              ///< s
-  T time_step{};               ///< s, of the step to come
-  T next_look{};               ///< s, time of the observer's next call
-  T initial_energy{};          ///< J
-  Start<T> start{};            ///< of the model
-  std::int64_t looked_at = -1; ///< the step of the observer's last call; -1: the run has not begun
+  T first_step{};                ///< s
+  T time_step{};                 ///< s, of the step to come
+  T next_observation{};          ///< s, time of the observer's next call
+  T initial_energy{};            ///< J
+  Start<T> start{};              ///< of the model
+  std::int64_t observed_at = -1; ///< the step of the observer's last call; -1: the run has not begun
 };
 
 /// Calls `f(name, value)` for each number of a run's state.
 template <class R, class F> void for_each_run_field(R &&run, F &&f) {
   f("first step", run.first_step);
   f("time step", run.time_step);
-  f("next look", run.next_look);
+  f("next observation", run.next_observation);
   f("initial energy", run.initial_energy);
   f("middle at the start", run.start.middle);
   f("width at the start", run.start.width);
   f("speed at the start", run.start.speed);
-  f("last look", run.looked_at);
+  f("last observation", run.observed_at);
 }
 
 /// How a run ended.
@@ -75,9 +75,9 @@ template <class T, class Bodies> T stable_time_step(const Model<T, Bodies> &mode
   return dt;
 }
 
-/// Whether the stable time step must be looked at before the step to come: every now and then, and as often as hexes
-/// are looked at that may go. Those may get thinner faster than others, which do not live to be as thin, and take their
-/// shares in the masses of nodes with them.
+/// Whether the stable time step must be checked before the next step: every `every` steps, and whenever hexes that may
+/// turn into particles are checked. Those may get thin faster than others, and take their shares in the masses of nodes
+/// with them.
 template <class T, class Bodies> bool is_time_step_due(const Model<T, Bodies> &model, int every) {
   if (model.steps % every == 0) return true;
   return std::any_of(model.conversions.begin(), model.conversions.end(),
@@ -90,7 +90,7 @@ template <class T, class Bodies> RunState<T> begin_run(const Model<T, Bodies> &m
   return {dt, dt, model.time + options.observe_every, total(energy(model)), start_of(model), -1};
 }
 
-/// What a look at all nodes, hexes and contacts finds, if anything.
+/// The first fault of nodes, hexes and contacts, if any.
 template <class T, class Bodies>
 std::optional<Fault> find_fault(const Model<T, Bodies> &model, const RunOptions<T> &options, const RunState<T> &state) {
   if (auto fault = find_not_finite(model)) return fault;
@@ -128,7 +128,7 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunO
   if (auto fault = find_not_finite(model)) return fault;
   if (auto fault = find_inverted(model)) return fault;
   std::ostringstream what;
-  what << "the energy balance is off by " << double(error) * 100 << " %: " << total(ledger) << " J, from "
+  what << "the error of the energy balance is " << double(error) * 100 << " %: " << total(ledger) << " J, from "
        << state.initial_energy << " J";
   return Fault{what.str(), "model", -1, double(model.time) * 1e6};
 }
@@ -136,23 +136,23 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunO
 /// Steps the model until `options.end_time` is reached. `observer(model, ledger)` (model const) is called at the start,
 /// every `observe_every` and at the end, after a fault too; if it returns false the run stops. `pause(model, state)`
 /// (both const) is asked before every step and before the end; if it returns true the run pauses. A later call with the
-/// same `state` goes on from there as if there had been no pause; a new state begins a run. Prints nothing and throws
-/// nothing of its own.
+/// same `state` resumes there with the same results as without a pause; a new state begins a run. Prints nothing and
+/// throws nothing of its own.
 template <class T, class Bodies, class Observer, class Pause>
 RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T> &state, Observer &&observer,
               Pause &&pause) {
-  const auto look = [&](const Energy<T> &ledger) {
-    state.looked_at = model.steps;
+  const auto observe = [&](const Energy<T> &ledger) {
+    state.observed_at = model.steps;
     return observer(std::as_const(model), ledger);
   };
   const auto stop_at = [&](Fault fault) {
-    look(energy(model));
+    observe(energy(model));
     return RunResult{StopReason::fault, std::move(fault)};
   };
-  if (state.looked_at < 0) {
+  if (state.observed_at < 0) {
     state = begin_run(model, options);
     if (auto fault = find_not_finite(model)) return stop_at(*fault);
-    if (!look(energy(model))) return {StopReason::observer, std::nullopt};
+    if (!observe(energy(model))) return {StopReason::observer, std::nullopt};
   }
   for (;;) {
     Lap lap(model.times);
@@ -170,16 +170,16 @@ RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T>
     const bool all = model.steps % options.check_every == 0;
     if (auto fault = all ? find_fault(model, options, state) : find_inverted(model, 2)) return stop_at(*fault);
     lap(Phase::checks);
-    if (model.time < state.next_look) continue;
-    state.next_look += options.observe_every;
+    if (model.time < state.next_observation) continue;
+    state.next_observation += options.observe_every;
     const Energy<T> ledger = energy(model);
     if (auto fault = find_energy_error(model, options, state, ledger)) return stop_at(*fault);
     lap(Phase::checks);
-    const bool goes_on = look(ledger);
+    const bool continues = observe(ledger);
     lap(Phase::observer);
-    if (!goes_on) return {StopReason::observer, std::nullopt};
+    if (!continues) return {StopReason::observer, std::nullopt};
   }
-  if (state.looked_at != model.steps) look(energy(model));
+  if (state.observed_at != model.steps) observe(energy(model));
   return {};
 }
 

@@ -21,7 +21,7 @@ template <class Values> struct FullOrEmpty {
   std::size_t full; ///< its length unless it is empty
 };
 
-/// The array tells the type.
+/// Deduced from the array.
 template <class Values> FullOrEmpty(Values &, std::size_t) -> FullOrEmpty<Values>;
 
 /// Calls `f(name, value)` for all of the state of a body of hexes that is not a material point's.
@@ -40,8 +40,8 @@ template <BodyOfParticles Body, class F> void for_each_own_field(Body &body, F &
   f("positions of the lists", built_at);
 }
 
-/// Calls `f(name, value)` for all that a run changes and needs to go on to the same bits: the one list that checkpoints
-/// write and read. A value is a number, a vector of fixed length, an array whose length the model gives, or
+/// Calls `f(name, value)` for all that a run changes and needs to resume with the same bits: the one list that
+/// checkpoints write and read. A value is a number, a vector of fixed length, an array whose length the model gives, or
 /// FullOrEmpty. What a step makes anew is left out, and so are lists that `renew_lists` makes from what is here.
 template <class M, class R, class F> void for_each_state_field(M &model, R &run, F &&f) {
   f("time", model.time);

@@ -38,7 +38,7 @@ template <class T, class Width = SimdWidth> struct Bonds {
   std::vector<T> strength; ///< Pa, of each particle in this step
 };
 
-/// Bonds each two particles that stand closer together than `reach` (m), mirror images included.
+/// Bonds each two particles that are closer together than `reach` (m), mirror images included.
 template <class T> Bonds<T> make_bonds(std::span<const Vec3<T>> positions, SymmetryPlanes planes, T reach) {
   Neighbours<T> n;
   build_neighbours(n, positions, planes, reach, T(0));

@@ -14,7 +14,7 @@
 /// a mean over all of them, does not see and no stress resists. A particle arrangement under tension comes apart by
 /// such motion at plastic strains that the metal would bear.
 ///
-/// Each two particles that stand close together in the undeformed body are bonded. A bond resists the part of their
+/// Each two particles that are close together in the undeformed body are bonded. A bond resists the part of their
 /// relative motion that the velocity gradient at its ends does not explain, like a stiff and weak metal: elastic, with
 /// a fraction of the shear modulus, up to a fraction of the flow stress. Its force is equal and opposite on both ends
 /// and vanishes for every linear field of velocity. (Ganzenmueller 2015, Comput. Methods Appl. Mech. Eng. 286:87,

@@ -93,7 +93,7 @@ template <class T, class Law, class K, class F> void prepare(SphBody<T, Law, K, 
 template <class T> struct GradientSums {
   Mat3<Pack<T>> gradient; ///< sum of V_j (v_j - v_i) (x) grad W_ij, 1/s
   Mat3<Pack<T>> moment;   ///< M = -sum of V_j grad W_ij (x) x_ij
-  Pack<T> pressure{};     ///< Pa, mean with the weights V_j |grad W_ij|/r, the particle itself included; if asked for
+  Pack<T> pressure{};     ///< Pa, mean with the weights V_j |grad W_ij|/r, the particle itself included; optional
 };
 
 /// The sums of cluster c over its neighbours; marks those within the support. With `variable`, a pair's smoothing

@@ -15,7 +15,7 @@ namespace ogive {
 template <class T> struct DiscShape {
   T radius{};    ///< m
   T thickness{}; ///< m
-  T spacing{};   ///< particle distance asked for, m
+  T spacing{};   ///< target particle distance, m
 };
 
 /// Whole number of layers nearest to thickness / spacing, at least 1.

@@ -63,7 +63,7 @@ std::string markdown(const Rung &rung) {
   std::vector<std::size_t> width(rows.front().size(), 3);
   for (const auto &row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], width_of(row[c]));
-  const std::string mark = "<!-- table: " + rung.name + " (bench/verification.sh) -->\n";
+  const std::string mark = "<!-- table: " + rung.name + " (tests/verification.sh) -->\n";
   std::string text = mark;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < width.size(); ++c) {

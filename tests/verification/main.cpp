@@ -77,8 +77,8 @@ int verify(const Options &options) {
   }
   std::fprintf(stderr, "%zu lines, %zu off\n", lines, off);
   if (options.only.empty() && !options.quick) {
-    const std::string mark = "<!-- table: summary (bench/verification.sh) -->\n";
-    std::cout << mark << "Made by `bench/verification.sh` with " << verification::made_with() << ": " << lines
+    const std::string mark = "<!-- table: summary (tests/verification.sh) -->\n";
+    std::cout << mark << "Made by `tests/verification.sh` with " << verification::made_with() << ": " << lines
               << " lines, " << off << " off.\n"
               << mark << std::flush;
   }

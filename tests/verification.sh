@@ -18,7 +18,7 @@ export GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}"
 tables=$(mktemp)
 trap 'rm -f "$tables"' EXIT
 status=0
-"${VERIFICATION:-$root/build/release/bench/verification}" "$@" | tee "$tables" || status=$?
+"${VERIFICATION:-$root/build/release/tests/verification}" "$@" | tee "$tables" || status=$?
 # Lines that are off belong into the page too; wrong input or a crash do not.
 [ -z "$insert" ] || [ "$status" -gt 1 ] || "$root/scripts/results.sh" insert "$root/docs/verification.md" < "$tables"
 exit "$status"
