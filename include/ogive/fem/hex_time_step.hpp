@@ -100,16 +100,14 @@ FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners
   return motion;
 }
 
-/// The fastest motion of hex e at the latest positions.
-template <class T, class Law, class Rule>
+/// The fastest motion of hex e at the latest positions; `Chosen` is the rule.
+template <class Chosen, class T, class Law, class Rule>
 FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
   CornerWeights<T> inverse_mass;
   for (int a = 0; a < 8; ++a) inverse_mass[a] = T(1) / body.corner_mass[e][a];
-  return with_choice(body.rule, [&]<class Chosen>(Chosen) {
-    const Index i = e * Chosen::points;
-    return fastest_motion<Chosen, T, T>(body, gather_corners(nodes.position, body.hexes[e]), inverse_mass,
-                                        body.points.density[i], body.points.velocity_gradient[i].trace());
-  });
+  const Index i = e * Chosen::points;
+  return fastest_motion<Chosen, T, T>(body, gather_corners(nodes.position, body.hexes[e]), inverse_mass,
+                                      body.points.density[i], body.points.velocity_gradient[i].trace());
 }
 
 /// The fastest motions of a pack of hexes at the latest positions; without meaning for removed ones. `Chosen` is the
@@ -133,21 +131,27 @@ template <class T> T stable_time_step(const FastestMotion<T> &motion) {
   return T(hex_courant) * T(2) / (half + std::sqrt(half * half + motion.omega_squared));
 }
 
-/// The step that strains the fastest of several points of hex e by largest_point_strain, s. One point strains with its
-/// hex.
-template <class T, class Law, class Rule> T step_of_strain(const HexBody<T, Law, Rule> &body, Index e) {
-  const Index points = points_of_hex(body);
-  if (points == 1) return std::numeric_limits<T>::max();
+/// The step that strains the fastest of several points of hex e by largest_point_strain, s.
+template <class T, class Law, class Rule>
+T step_of_strain(SelectiveReduced, const HexBody<T, Law, Rule> &body, Index e) {
+  constexpr int points = SelectiveReduced::points;
   T fastest = std::numeric_limits<T>::min();
-  for (Index i = e * points; i < (e + 1) * points; ++i)
-    fastest = std::max(fastest, full(symmetric_part(body.points.velocity_gradient[i])).squaredNorm());
+  for (int p = 0; p < points; ++p)
+    fastest = std::max(fastest, full(symmetric_part(body.points.velocity_gradient[e * points + p])).squaredNorm());
   return T(largest_point_strain) / std::sqrt(fastest);
+}
+
+/// One point strains with its hex.
+template <class T, class Law, class Rule> T step_of_strain(OnePoint, const HexBody<T, Law, Rule> &, Index) {
+  return std::numeric_limits<T>::max();
 }
 
 /// The stable step of hex e at the latest positions if it were alone, s.
 template <class T, class Law, class Rule>
 T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
-  return std::min(stable_time_step(fastest_motion(body, nodes, e)), step_of_strain(body, e));
+  return with_choice(body.rule, [&]<class Chosen>(Chosen rule) {
+    return std::min(stable_time_step(fastest_motion<Chosen>(body, nodes, e)), step_of_strain(rule, body, e));
+  });
 }
 
 /// The mean of the fastest motions of the hexes at the n-th node of the body, weighted with their shares in its mass.
@@ -187,7 +191,10 @@ template <class T, class Law, class Rule> T stable_time_step(const HexBody<T, La
   const T none = std::numeric_limits<T>::max();
   const T of_waves =
       parallel_min(body.nodes.size(), none, [&](Index n) { return stable_time_step(mean_at_node(body, of_hexes, n)); });
-  return parallel_min(count, of_waves, [&](Index e) { return is_removed(body, e) ? none : step_of_strain(body, e); });
+  return with_choice(body.rule, [&](auto rule) {
+    return parallel_min(count, of_waves,
+                        [&](Index e) { return is_removed(body, e) ? none : step_of_strain(rule, body, e); });
+  });
 }
 
 /// The first of the hexes that would alone have the shortest stable step.
@@ -209,20 +216,22 @@ Index shortest_step_at(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes)
 template <class T, class Law, class Rule> T raise_time_step(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
   require(dt > T(0) && std::isfinite(dt), body.name + " time step to raise to (s)", dt, "must be positive");
   const T limit = dt / T(hex_courant);
-  T added = T(0);
-  for (Index e = 0; e < static_cast<Index>(body.hexes.size()); ++e) {
-    const FastestMotion<T> motion = fastest_motion(body, nodes, e);
-    // The step is stable as long as this is at most one.
-    const T factor = T(0.25) * motion.omega_squared * limit * limit + T(0.5) * motion.damping * limit;
-    if (!(factor > T(1))) continue;
-    for (int a = 0; a < 8; ++a) {
-      const T more = (factor - T(1)) * body.corner_mass[e][a];
-      body.corner_mass[e][a] += more;
-      nodes.mass[body.hexes[e][a]] += more;
-      added += more;
+  return with_choice(body.rule, [&]<class Chosen>(Chosen) {
+    T added = T(0);
+    for (Index e = 0; e < static_cast<Index>(body.hexes.size()); ++e) {
+      const FastestMotion<T> motion = fastest_motion<Chosen>(body, nodes, e);
+      // The step is stable as long as this is at most one.
+      const T factor = T(0.25) * motion.omega_squared * limit * limit + T(0.5) * motion.damping * limit;
+      if (!(factor > T(1))) continue;
+      for (int a = 0; a < 8; ++a) {
+        const T more = (factor - T(1)) * body.corner_mass[e][a];
+        body.corner_mass[e][a] += more;
+        nodes.mass[body.hexes[e][a]] += more;
+        added += more;
+      }
     }
-  }
-  return added;
+    return added;
+  });
 }
 
 } // namespace ogive

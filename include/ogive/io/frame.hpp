@@ -160,7 +160,7 @@ void gather_body(Frame &frame, const Nodes<T> &nodes, const HexBody<T, Law, Rule
                gather_positions(nodes, numbers),
                {},
                {gather_velocity(nodes, numbers)},
-               gather_state(body.points, hexes, Index(Rule::points))};
+               gather_state(body.points, hexes, points_of_hex(body))};
   for (const Index e : hexes) {
     auto &corners = grid.hexes.emplace_back(body.hexes[e]);
     for (Index &corner : corners) corner = place[corner - body.nodes.begin];

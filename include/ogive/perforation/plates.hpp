@@ -24,7 +24,9 @@ namespace ogive {
 
 /// Name of a plate's body: "disc" of the only plate, "disc_2" of the second of several.
 inline std::string body_name(const char *body, std::size_t layer, std::size_t layers) {
-  return layers == 1 ? std::string(body) : body + ("_" + std::to_string(layer + 1));
+  std::string name = body;
+  if (layers > 1) name.append("_").append(std::to_string(layer + 1));
+  return name;
 }
 
 /// The particles of a plate.

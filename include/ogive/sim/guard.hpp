@@ -78,7 +78,7 @@ Fault inverted_fault(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, I
 /// `least_points` of them.
 template <class T, class Law, class Rule>
 std::optional<Fault> find_inverted(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index least_points) {
-  if (Rule::points < least_points) return std::nullopt;
+  if (points_of_hex(body) < least_points) return std::nullopt;
   const Index hex = first_inverted(body, nodes);
   return hex < 0 ? std::nullopt : std::optional(inverted_fault(body, nodes, hex));
 }
