@@ -3,7 +3,7 @@
 
 #include "plot.hpp"
 
-#include "ogive/fem/projectile_shape.hpp"
+#include "ogive/mesh/projectile_shape.hpp"
 #include "ogive/io/text.hpp"
 #include "ogive/material/library.hpp"
 
