@@ -14,14 +14,14 @@ namespace draw {
 /// Whether gnuplot can be run.
 bool gnuplot_available();
 
-/// `text` as a string of gnuplot's that stands for itself. Throws ogive::SetupError if it holds a line end or a NUL.
+/// `text` as a literal string of gnuplot. Throws ogive::SetupError if it holds a line end or a NUL.
 std::string gnuplot_quoted(const std::string &text);
 
 /// The name of a file as a string of gnuplot's. Absolute, because gnuplot takes a name that begins with '<' or '|' for
 /// a command.
 std::string gnuplot_file(const std::filesystem::path &file);
 
-/// A colour of gnuplot's for the curve number `k`: eight that can be told apart (Okabe & Ito 2008), then again.
+/// A colour of gnuplot's for the curve number `k`: eight that differ for all readers (Okabe & Ito 2008), then again.
 std::string gnuplot_colour(std::size_t k);
 
 /// Width and height of a picture in pixels.
@@ -30,7 +30,7 @@ struct PictureSize {
   int height = 600; ///< pixels
 };
 
-/// Draws what `commands` (one line of gnuplot's: settings and a plot) say as `picture`, in place of an old one: a PNG
+/// Runs `commands` (one line for gnuplot: settings and a plot) and writes `picture`, in place of an old one: a PNG
 /// if its name ends so, else an SVG. Throws ogive::WriteError if gnuplot is missing or fails, or the file cannot be
 /// written; the old one stays then.
 void draw_with_gnuplot(const std::string &commands, const std::filesystem::path &picture, PictureSize size = {});

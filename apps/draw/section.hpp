@@ -46,7 +46,7 @@ struct PanelLayout {
   Box scale;                 ///< the scale bar and its length
 };
 
-/// Columns for `cells` sections where the panel does not say how many.
+/// Columns for `cells` sections where the panel gives no number.
 int panel_columns(std::size_t cells);
 
 /// Lays `cells` sections out, row by row from the top. Throws ogive::SetupError for a panel without cells, and for

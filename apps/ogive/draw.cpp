@@ -41,7 +41,7 @@ auto choices(Colour) {
 constexpr auto extents = std::to_array<options::Choice<ogive::Extent>>(
     {{ogive::Extent::quarter, "quarter"}, {ogive::Extent::half, "half"}, {ogive::Extent::full, "full"}});
 
-/// One picture, in the units that the names say. What is unset follows from the results that are drawn.
+/// One picture, in the units of the names. What is unset follows from the results that are drawn.
 struct Options {
   std::vector<fs::path> series; ///< .pvd files, or the folders that they lie in
   std::vector<double> times_us{last_time};
@@ -50,7 +50,7 @@ struct Options {
   std::optional<std::array<double, 2>> range;   ///< values of the first and of the last colour
   std::optional<std::array<double, 3>> view_mm; ///< lowest and highest z, radius
   bool mesh_edges = false;
-  std::optional<ogive::Extent> extent; ///< of results that do not say it
+  std::optional<ogive::Extent> extent; ///< of results whose files do not hold it
 
   std::vector<fs::path> velocity; ///< history.csv files, or the folders that they lie in
   std::optional<double> measured_mps;
@@ -130,7 +130,7 @@ Table table_of(Options &o) {
       .placeholder = "FOLDER|FILE.pvd";
 
   table.group = "Picture";
-  const Entry extent{.key = "extent", .meaning = "of results that do not say it themselves: quarter, half or full",
+  const Entry extent{.key = "extent", .meaning = "of results whose files do not hold it: quarter, half or full",
       .allowed = "one of quarter, half, full"};
   add_option(table, extent, options::Kind::choice, "NAME").assign = [&o](const Given &given) {
     o.extent = choice_given(given, extents);
@@ -147,13 +147,13 @@ Table table_of(Options &o) {
 
 /// The picture that is meant, as an index of `figures`; refuses options of others.
 std::size_t figure_of(const Table &table, const Options &o, const options::CommandLine &line) {
-  const std::array asked{!o.series.empty(), !o.velocity.empty(), o.projectiles, !o.mesh.empty()};
-  const auto count = std::count(asked.begin(), asked.end(), true);
+  const std::array chosen{!o.series.empty(), !o.velocity.empty(), o.projectiles, !o.mesh.empty()};
+  const auto count = std::count(chosen.begin(), chosen.end(), true);
   if (count != 1)
     throw ogive::SetupError("--series, --velocity, --projectiles, --mesh: " +
                             std::string(count == 0 ? "one is required" : "only one may be given") +
                             ": each draws another picture");
-  const auto figure = static_cast<std::size_t>(std::find(asked.begin(), asked.end(), true) - asked.begin());
+  const auto figure = static_cast<std::size_t>(std::find(chosen.begin(), chosen.end(), true) - chosen.begin());
   for (const Given &given : line.given)
     for (const auto &[group, key] : figures)
       if (find(table, given.key)->group == group && group != figures[figure][0])
@@ -193,7 +193,7 @@ fs::path find_pvd(const fs::path &given, const char *flag) {
   return found.front();
 }
 
-/// The symmetry of results that do not say it.
+/// The symmetry of results whose files do not hold it.
 std::optional<ogive::SymmetryPlanes> symmetry_of(const Options &o) {
   return o.extent ? std::optional(ogive::symmetry_planes(*o.extent)) : std::nullopt;
 }

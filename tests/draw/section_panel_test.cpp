@@ -108,7 +108,7 @@ TEST_CASE("a panel that cannot be drawn is refused") {
   CHECK(count_files(folder.path) == 0);
 }
 
-TEST_CASE("a panel shows each section with both halves, at one scale, and what stands around them") {
+TEST_CASE("a panel shows each section with both halves, at one scale, with labels, colours and scale bar") {
   const TemporaryFolder folder;
   const auto path = folder.path / "panel.png";
   const SectionPanel panel = small_panel();

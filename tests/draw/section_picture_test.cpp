@@ -113,7 +113,7 @@ TEST_CASE("the section of a model without symmetry is cut open") {
   check_section(read_png(folder.path / "section.png"));
 }
 
-TEST_CASE("a picture that cannot be written says so") {
+TEST_CASE("a picture that cannot be written is an error") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(draw_section(quarter(), folder.path / "gone" / "a.png"), ogive::WriteError);
 }

@@ -26,7 +26,7 @@ inline auto choices(RateTerm) {
   return std::to_array<options::Choice<RateTerm>>({{RateTerm::logarithmic, "logarithmic"}, {RateTerm::power, "power"}});
 }
 
-/// One calibration, in the units that the names say. What is unset has no default, or one that follows from the tests.
+/// One calibration, in the units of the names. What is unset has no default, or one that follows from the tests.
 struct Options {
   std::vector<std::filesystem::path> data; ///< tables of tensile curves
   bool engineering = false;                ///< they hold engineering stress and strain
