@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "options/spinning.hpp"
 #include "study/figures.hpp"
 
 /// Figs. 12 to 14: conical projectiles on AA5083-H116 plates of 15 to 30 mm.
 int main(int argc, char **argv) {
+  options::limit_spinning(argv);
   using study::FigurePlot;
   const study::Figures figures{
       .name = "aluminium_conical",

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "options/spinning.hpp"
 #include "study/figures.hpp"
 
 /// Fig. 11: blunt, conical and ogival projectiles on 12 mm Weldox 460 E.
 int main(int argc, char **argv) {
+  options::limit_spinning(argv);
   using study::FigurePlot;
   const study::Figures figures{
       .name = "nose_shapes",

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "options/spinning.hpp"
 #include "study/figures.hpp"
 
 /// Figs. 6 to 10: blunt projectiles on Weldox 460 E plates of 6 to 20 mm.
 int main(int argc, char **argv) {
+  options::limit_spinning(argv);
   using study::FigurePlot;
   const study::Figures figures{
       .name = "steel_blunt",

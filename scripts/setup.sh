@@ -9,8 +9,6 @@ needed='
 g++          g++
 cmake        cmake
 ninja        ninja-build
-xvfb-run     xvfb
-xauth        xauth
 gnuplot      gnuplot-nox
 python3      python3
 -            python3-jinja2
@@ -22,6 +20,7 @@ python3      python3
 -            nlohmann-json3-dev
 -            libvtk9-dev
 -            libgl1-mesa-dri
+-            libegl-dev
 '
 
 is_installed() {

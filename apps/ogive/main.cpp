@@ -5,6 +5,7 @@
 #include "ogive/version.hpp"
 #include "options/exit_status.hpp"
 #include "options/nearest.hpp"
+#include "options/spinning.hpp"
 
 #include <cstdio>
 #include <iostream>
@@ -64,6 +65,7 @@ int run(const options::Arguments &arguments, std::string &name) {
 } // namespace commands
 
 int main(int argc, char **argv) {
+  options::limit_spinning(argv);
   std::string name = "ogive";
   return options::run_main(name, [&] { return commands::run({argv + 1, argv + argc}, name); });
 }

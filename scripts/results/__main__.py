@@ -91,7 +91,7 @@ def read_options():
 def main():
     options = read_options()
     module, function = options.pop("call")
-    os.environ.setdefault("GOMP_SPINCOUNT", "3000")  # as scripts/with_display.sh does
+    os.environ.setdefault("GOMP_SPINCOUNT", "3000")  # as the programs do for themselves
     try:
         return getattr(import_module(f".{module}", __package__), function)(**options)
     except InputError as error:

@@ -72,7 +72,7 @@ class Campaign:
             return
         self.figures.mkdir(parents=True, exist_ok=True)
         series = ["--series", *(shot.folder for shot in shots)] if shots else []
-        self.attempt(picture, ROOT / "scripts" / "with_display.sh", self.programs / "ogive", "draw", *series, *options, "--out",
+        self.attempt(picture, self.programs / "ogive", "draw", *series, *options, "--out",
                      picture)
         if picture.exists():
             print(f"figure: {picture}")
@@ -116,7 +116,7 @@ def make_figures(quick, page_only, published, method, jobs):
     page = Path(os.environ.get("PAGE") or (figures / "page" if quick else PAGE)).resolve()
     programs = Path(os.environ.get("PROGRAMS") or PROGRAMS).resolve()
     if not os.environ.get("PROGRAMS"):
-        build("ogive", *CAMPAIGNS)
+        build("ogive_main", *CAMPAIGNS)
     sys.stdout.reconfigure(line_buffering=True)
     if published:
         take_published(page, figures)

@@ -74,7 +74,7 @@ def tables(folder):
 def make_fits(folder, program, put_in=False):
     """Runs all fits and prints the tables; puts them and the pictures into docs/."""
     if program is None:
-        build("ogive")
+        build("ogive_main")
     run_fits(folder, program or PROGRAMS / "ogive")
     print(tables(folder))
     if put_in:

@@ -223,7 +223,7 @@ def make_tables(name, run_missing=False, put_in=False, jobs=None):
         raise InputError(f"tables = {name}: must be one of {', '.join(TABLES)}")
     page, tables = TABLES[name]
     if run_missing:
-        build("ogive")
+        build("ogive_main")
         for sweep in (sweep for table in tables for sweep in table.sweeps):
             runs.run(sweep, jobs)
     texts = [(table.caption, text) for table in tables if (text := table.text(table.sweeps))]
