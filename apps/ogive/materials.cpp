@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "materials/library.hpp"
+#include "materials/material_keys.hpp"
 #include "options/exit_status.hpp"
 #include "options/nearest.hpp"
 
@@ -12,7 +13,7 @@ namespace commands {
 
 namespace {
 
-options::Table table_of(std::vector<std::string> &words) {
+options::Table table_of(std::vector<std::string> &words, ::materials::Model &model) {
   options::Table t;
   options::add(t, words,
                {.key = "action",
@@ -21,36 +22,41 @@ options::Table table_of(std::vector<std::string> &words) {
                 .brief = "list, show NAME... or check FILE.toml...",
                 .allowed = "list, show or check",
                 .in_file = false});
+  options::add(t, model,
+               {.key = "model",
+                .meaning = "flow law of a metal of the library that is shown",
+                .source = "paper",
+                .brief = "flow law of a metal that is shown: mjc or jc",
+                .in_file = false});
   return t;
 }
 
-void show(const std::string &name) {
+/// Prints a metal as a file for --material.
+void show(const std::string &name, ::materials::Model model) {
   using namespace ::materials;
   if (!is_material_file(name) && find_library_metal(name) == nullptr)
     throw ogive::SetupError("show = " + options::printable(name) + ": must be " + allowed_materials() +
                             options::nearest_text(name, library_names()));
-  std::cout << name << "\n";
-  if (is_material_file(name))
-    std::cout << described(read(name, "show"));
-  else
-    for (const Model model : {Model::mjc, Model::jc}) std::cout << described(find_metal(name, model, "show"));
+  std::cout << to_toml(find_metal(name, model, "show"),
+                       name + "\nA copy with other numbers is a metal for --material.");
 }
 
 } // namespace
 
 options::Table materials_table() {
   std::vector<std::string> words;
-  return table_of(words);
+  ::materials::Model model{};
+  return table_of(words, model);
 }
 
 int materials(const options::Arguments &arguments) {
   std::vector<std::string> words;
-  const options::Table table = table_of(words);
+  ::materials::Model model = ::materials::Model::mjc;
+  const options::Table table = table_of(words, model);
   const options::Command command{
       .name = "ogive materials",
-      .purpose =
-          "Lists the metals of the library with their constants and sources, shows some of them, or checks files of\n"
-          "your own.\n",
+      .purpose = "Lists the metals of the library with their constants and sources, prints one as a file to copy, or\n"
+                 "checks files of your own.\n",
       .usage = "[list | show NAME... | check FILE.toml...]",
       .examples = "  ogive materials show weldox_460e\n  ogive materials check my_steel.toml\n",
       .positional = "action"};
@@ -68,7 +74,7 @@ int materials(const options::Arguments &arguments) {
     throw ogive::SetupError(action + (action == "list" ? ": takes no names" : ": needs the names of metals or files"));
   if (action == "list") std::cout << ::materials::library_list();
   if (action == "show")
-    for (const std::string &name : names) show(name);
+    for (const std::string &name : names) show(name, model);
   if (action == "check")
     for (const std::string &name : names) {
       const auto metal = ::materials::read(name, "check");
