@@ -4,12 +4,12 @@
 #include "options/exit_status.hpp"
 
 #include "shot/defaults.hpp"
-#include "shot/signals.hpp"
 #include "shot/table.hpp"
 #include "study/cases.hpp"
 #include "study/finish.hpp"
 #include "study/plots.hpp"
 
+#include "ogive/io/atomic_file.hpp"
 #include "ogive/io/write_error.hpp"
 
 #include <array>
@@ -57,6 +57,43 @@ void print_fit(const ogive::BallisticFit<double> &fit) {
               fit.points, fit.rms);
 }
 
+/// The bracket of the limit; nothing for lack of shots.
+std::optional<study::LimitRow> limit_of(const study::Series &series, const std::vector<study::Row> &rows) {
+  const auto limits = study::limits_in({series}, rows);
+  return limits.empty() ? std::nullopt : std::optional(limits.front());
+}
+
+/// Prints the bracket of the limit and returns its middle; nothing if there is no limit.
+std::optional<double> print_bisection(const std::optional<study::LimitRow> &row) {
+  const auto estimate = row ? ogive::limit_estimate(row->bracket) : std::nullopt;
+  if (estimate)
+    std::printf("  %-22s %.1f +- %.1f m/s%s\n", "limit by bisection", estimate->limit, estimate->half_width,
+                row->bracket.consistent ? "" : "; a shot stopped above one that perforated");
+  else if (row)
+    std::printf("  %-22s none: %s\n", "limit by bisection",
+                row->bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
+  std::fflush(stdout);
+  return estimate ? std::optional(estimate->limit) : std::nullopt;
+}
+
+/// Prints the fit, writes OUT/limits.csv and draws; with the tests of `tested`.
+void finish(const study::Series &series, const study::Series &tested, const std::filesystem::path &out) {
+  const auto rows = study::read_all_rows(out, {});
+  const auto row = limit_of(series, rows);
+  if (!row) return;
+  if (row->fit) print_fit(*row->fit);
+  if (const auto test = tested.published.test_limit_mps) std::printf("  %-22s %.1f m/s\n", "limit of the tests", *test);
+  ogive::write_atomically(out / "limits.csv", study::limits_csv({*row}, {}));
+  try {
+    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {tested}, rows, {}, out);
+    std::printf("  %-22s %s\n", "plot", (out / "limit.svg").c_str());
+  } catch (const ogive::WriteError &error) {
+    std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
+  }
+  std::printf("  %-22s %s\n", "rows", study::rows_shown(out).c_str());
+  std::printf("  %-22s %s\n", "limits", (out / "limits.csv").c_str());
+}
+
 /// The shots above a limit that show the curve.
 std::vector<study::Case> curve_above(const study::Series &series, double limit) {
   std::vector<study::Case> shots;
@@ -100,36 +137,24 @@ int limit(const options::Arguments &arguments) {
   }
   const study::Study study = study::study_of(l.study, o.out);
   if (study.shards > 1) options::refuse("--shard", l.study.shard, "must be 1/1: one limit has no parts");
-  study::Series series = study::series_of(study::case_of(o, {}, ""));
+  const study::Series tested = study::series_of(study::case_of(o, {}, ""));
+  study::Series series = tested;
   series.published = {};
   series.guess_mps = line->find("velocity_mps") != nullptr ? o.velocity_mps : study::guess_mps(o);
   std::printf("Ballistic limit within %g m/s, %s, method %s\n", l.width_mps / 2, o.out.c_str(),
               shot::name_of(o.method).c_str());
   std::fflush(stdout);
-
-  int status = study::run_study("ogive limit", study, l.study.run, {}, {series}, l.width_mps, [] {});
-  const auto rows = [&] { return study::read_all_rows(o.out, {}); };
-  auto limits = study::limits_in({series}, rows());
-  if (status != options::success || limits.empty()) return status;
-  if (const auto estimate = ogive::limit_estimate(limits.front().bracket)) {
-    std::printf("\n  %-22s %.1f +- %.1f m/s%s\n\n", "limit by bisection", estimate->limit, estimate->half_width,
-                limits.front().bracket.consistent ? "" : "; shots above it were stopped, too");
-    std::fflush(stdout);
-    status = study::run_study("ogive limit", study, l.study.run, curve_above(series, estimate->limit), {}, 0, [] {});
-    if (status != options::success) return status;
-  } else {
-    std::printf("\n  no limit: %s\n",
-                limits.front().bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
-  }
-  limits = study::write_limits(o.out / "limits.csv", {series}, rows(), {});
-  if (limits.front().fit) print_fit(*limits.front().fit);
-  try {
-    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {series}, rows(), {}, o.out);
-  } catch (const ogive::WriteError &error) {
-    std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
-  }
-  std::printf("  %-22s %s\n", "files", (o.out / "shots.csv").c_str());
-  return status;
+  const auto run = [&](const study::Report &report) {
+    study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
+    if (all.stopped_by != 0 || !all.failed.empty()) return all;
+    if (const auto limit = print_bisection(limit_of(series, study::read_all_rows(o.out, {}))))
+      add(all, study::run_cases(study, curve_above(series, *limit), report));
+    return all;
+  };
+  return study::run_study("ogive limit", study, l.study.run, run, [&] {
+    if (!l.study.run) print_bisection(limit_of(series, study::read_all_rows(o.out, {})));
+    finish(series, tested, o.out);
+  });
 }
 
 } // namespace commands

@@ -7,8 +7,8 @@
 
 namespace study {
 
-/// One process at a time works on a study, or one on each of its shards. The lock goes with the process, however that
-/// ends.
+/// One process at a time works on a study, or one on each of its shards, which are then of one number. The lock goes
+/// with the process, however that ends.
 class StudyLock {
 public:
   /// Throws SetupError if another process has the study or this shard of it, WriteError if there can be no such file.
@@ -18,6 +18,8 @@ public:
   StudyLock &operator=(const StudyLock &) = delete;
 
 private:
+  void release();
+
   std::vector<int> descriptors;
 };
 
