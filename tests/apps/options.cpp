@@ -152,8 +152,8 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--qiuet=true"}, "--qiuet: unknown option, the nearest is --quiet; "},
       {{"--no-vkt"}, "--no-vkt: unknown option, the nearest is --no-vtk; "},
       {{"--bullets", "3"}, "--bullets: unknown option; ogive shoot --help-all lists what is allowed"},
-      {{"-x"}, "-x: unknown option; ogive shoot --help-all lists what is allowed"} {
-          {"12"}, "12: unexpected argument; ogive shoot --help-all lists what is allowed"},
+      {{"-x"}, "-x: unknown option; ogive shoot --help-all lists what is allowed"},
+      {{"12"}, "12: unexpected argument; ogive shoot --help-all lists what is allowed"},
       {{"--out", "a\nb"}, "--out = a?b: must be the name of a folder, on one line"},
       {{"--config", "no_such.toml"}, "--config = no_such.toml: must be a TOML file that can be read: No such file"},
       {{"--config", "."}, "--config = .: must be a TOML file that can be read: Is a directory"},
