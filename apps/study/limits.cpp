@@ -61,6 +61,16 @@ std::vector<std::pair<const Series *, double>> next_round(const std::vector<Seri
   return round;
 }
 
+/// Why the rows of a series are not its own: the results of a shot are of another case. Empty if they are.
+std::string conflict_in(const Study &study, const Series &series, const std::vector<Row> &rows) {
+  for (const Row &row : rows) {
+    if (series_key(row.key) != series.key) continue;
+    const Case shot = shot_of(series, number(row.key, velocity_column), study.own_columns);
+    if (const std::string reason = conflict(study, shot); !reason.empty()) return shot.name + ": " + reason;
+  }
+  return "";
+}
+
 } // namespace
 
 Key series_key(Key key) {
@@ -116,6 +126,14 @@ Published find_published(const Key &key) {
 
 Outcome find_limits(const Study &study, std::vector<Series> series, double width_mps, const Report &report) {
   Outcome all;
+  const auto known = read_all_rows(study.out, study.own_columns);
+  std::erase_if(series, [&](const Series &one) {
+    const std::string reason = conflict_in(study, one, known);
+    if (reason.empty()) return false;
+    all.failed.push_back(reason);
+    report("failed: " + reason);
+    return true;
+  });
   while (all.stopped_by == 0) {
     const auto round = next_round(series, read_all_rows(study.out, study.own_columns), width_mps);
     if (round.empty()) break;

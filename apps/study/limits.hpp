@@ -58,8 +58,8 @@ Case shot_of(const Series &series, double velocity_mps, const std::vector<std::s
 Published find_published(const Key &series);
 
 /// Bisects the limits of all series to brackets of `width_mps`, round by round, each with at most one shot of a series.
-/// The first ones lie beside the limit of the curve through the residual velocities. A series whose shot failed has
-/// come to its end. Throws as run_cases().
+/// The first ones lie beside the limit of the curve through the residual velocities. A series whose shot failed, or
+/// whose rows are of another case, comes to its end. Throws as run_cases().
 Outcome find_limits(const Study &study, std::vector<Series> series, double width_mps, const Report &report);
 
 /// The limits that rows give.

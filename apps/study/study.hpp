@@ -54,6 +54,9 @@ std::filesystem::path folder_of(const Study &study, const Case &shot);
 /// Cores that this process may use, shared out over the jobs: on a cluster, few of many.
 int cores();
 
+/// Why the results in the folder of a shot are not those of its case, one line; empty if they are or there are none.
+std::string conflict(const Study &study, const Case &shot);
+
 /// The file that takes the rows of this process.
 std::filesystem::path rows_file(const Study &study);
 
