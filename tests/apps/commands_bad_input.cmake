@@ -65,6 +65,7 @@ refuses("${materials}" "show = weldox_460: must be one of weldox_460e, aa5083_h1
 refuses("${materials}" "show = missing.toml: must be a TOML file that can be read" show missing.toml)
 refuses("${materials}" "check = missing.toml: must be a TOML file that can be read" check missing.toml)
 refuses("${materials}" "half.toml: model \"jc\" lacks density_kg_per_m3, " check half.toml)
+refuses("${materials}" "--model = zerilli: must be one of mjc, jc" show weldox_460e --model zerilli)
 refuses("${materials}" "--all: unknown option; ogive materials --help-all lists what is allowed" --all)
 
 file(GLOB after RELATIVE "${folder}" "${folder}/*")

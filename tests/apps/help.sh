@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# help.sh <ogive>: help, version, the list of the metals and the completion for bash.
+# help.sh <ogive> <folder>: help, version, the metals and the completion for bash. Works in the folder.
 set -euo pipefail
 
 ogive=$1
+mkdir -p "$2"
+cd "$2"
+rm -rf ./*
 
 fail() {
   echo "help.sh: $*" >&2
@@ -36,7 +39,14 @@ done
 echo "the metals"
 [ "$("$ogive" materials)" = "$("$ogive" materials list)" ] || fail "materials: not the list"
 "$ogive" materials list | grep -qx weldox_460e || fail "materials list: $("$ogive" materials list)"
-"$ogive" materials show aa5083_h116 | grep -q 'A_MPa=' || fail "materials show: $("$ogive" materials show aa5083_h116)"
+for metal in weldox_460e aa5083_h116 aa5083_h116_25mm; do
+  for model in mjc jc; do
+    "$ogive" materials show "$metal" --model "$model" > metal.toml || fail "materials show $metal: status $?"
+    "$ogive" materials check metal.toml | grep -qx "metal.toml: $metal, model $model, is a metal for --material" ||
+      fail "materials check: $("$ogive" materials check metal.toml)"
+    cmp <("$ogive" materials show metal.toml | tail -n +2) <(tail -n +2 metal.toml) || fail "$metal: reads back as another"
+  done
+done
 
 echo "completion"
 code=$("$ogive" completion)
