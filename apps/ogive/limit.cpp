@@ -90,8 +90,7 @@ void finish(const study::Series &series, const study::Series &tested, const std:
   } catch (const ogive::WriteError &error) {
     std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
   }
-  std::printf("  %-22s %s\n", "rows", study::rows_shown(out).c_str());
-  std::printf("  %-22s %s\n", "limits", (out / "limits.csv").c_str());
+  std::printf("  %-22s %s, %s\n", "files", study::rows_shown(out).c_str(), (out / "limits.csv").c_str());
 }
 
 /// The shots above a limit that show the curve.
@@ -144,14 +143,17 @@ int limit(const options::Arguments &arguments) {
   std::printf("Ballistic limit within %g m/s, %s, method %s\n", l.width_mps / 2, o.out.c_str(),
               shot::name_of(o.method).c_str());
   std::fflush(stdout);
+  bool complete = true;
   const auto run = [&](const study::Report &report) {
     study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
-    if (all.stopped_by != 0 || !all.failed.empty()) return all;
+    complete = all.stopped_by == 0 && all.failed.empty();
+    if (!complete) return all;
     if (const auto limit = print_bisection(limit_of(series, study::read_all_rows(o.out, {}))))
       add(all, study::run_cases(study, curve_above(series, *limit), report));
     return all;
   };
   return study::run_study("ogive limit", study, l.study.run, run, [&] {
+    if (!complete) return;
     if (!l.study.run) print_bisection(limit_of(series, study::read_all_rows(o.out, {})));
     finish(series, tested, o.out);
   });

@@ -51,6 +51,16 @@ std::string origin_of(const ogive::ParameterReport<double> &report) {
   return report.origin == held ? "held" : report.origin == fitted ? "fitted" : "at bound";
 }
 
+/// Why the rows of a series are not its own: the results of a shot are of another case. Empty if they are.
+std::string conflict_in(const Study &study, const Series &series, const std::vector<Row> &rows) {
+  for (const Row &row : rows) {
+    if (series_key(row.key) != series.key) continue;
+    const Case shot = shot_of(series, number(row.key, velocity_column), study.own_columns);
+    if (const std::string reason = conflict(study, shot); !reason.empty()) return shot.name + ": " + reason;
+  }
+  return "";
+}
+
 } // namespace
 
 Key series_key(Key key) {
@@ -109,24 +119,34 @@ std::optional<double> next_velocity(const Series &series, const std::vector<Row>
 }
 
 Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report) {
-  std::vector<std::optional<Key>> last(series.size());
+  const auto before = read_all_rows(study.out, study.own_columns);
+  Outcome all;
+  std::vector<Series> own;
+  for (const Series &one : series) {
+    const std::string reason = conflict_in(study, one, before);
+    if (!reason.empty()) {
+      all.failed.push_back(reason);
+      report("failed: " + reason);
+      continue;
+    }
+    own.push_back(one);
+    all.known += static_cast<int>(
+        std::count_if(before.begin(), before.end(), [&](const Row &row) { return series_key(row.key) == one.key; }));
+  }
+  std::vector<std::optional<Key>> last(own.size());
   const auto next = [&](const std::vector<Row> &rows) -> std::optional<Case> {
-    for (std::size_t k = 0; k < series.size(); ++k) {
+    for (std::size_t k = 0; k < own.size(); ++k) {
       if (last[k] && find_row(rows, *last[k]) == nullptr) continue; // its shot is running, or has failed
-      const auto velocity = next_velocity(series[k], rows, width_mps);
+      const auto velocity = next_velocity(own[k], rows, width_mps);
       if (!velocity) continue;
-      Case shot = shot_of(series[k], *velocity, study.own_columns);
+      Case shot = shot_of(own[k], *velocity, study.own_columns);
       last[k] = shot.key;
       return shot;
     }
     return std::nullopt;
   };
-  const auto before = read_all_rows(study.out, study.own_columns);
-  Outcome outcome = run_chosen(study, series.size(), next, report);
-  for (const Series &s : series)
-    outcome.known += static_cast<int>(
-        std::count_if(before.begin(), before.end(), [&](const Row &row) { return series_key(row.key) == s.key; }));
-  return outcome;
+  add(all, run_chosen(study, own.size(), next, report));
+  return all;
 }
 
 std::vector<LimitRow> limits_in(const std::vector<Series> &series, const std::vector<Row> &rows) {

@@ -61,8 +61,9 @@ Published find_published(const shot::Options &options);
 /// The first ones lie beside the limit of the curve through the residual velocities.
 std::optional<double> next_velocity(const Series &series, const std::vector<Row> &rows, double width_mps);
 
-/// Bisects the limits of all series, those of different series at the same time. A series ends with a shot that fails.
-/// Shots of the series that are there before count as known. Throws as run_cases().
+/// Bisects the limits of all series, those of different series at the same time. A series ends with a shot that fails
+/// and is left out if its rows are of another case. Its shots that are there before count as known. Throws as
+/// run_cases().
 Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report);
 
 /// The limits that rows give.

@@ -83,12 +83,8 @@ void run_case(Work &w, const Case &shot) {
     const std::lock_guard lock(w.mutex);
     return is_known(w.study, shot, w.rows);
   }();
-  const auto other = shot::other_case(shot.options);
-  if (other && !other->empty())
-    return note_failure(w, shot,
-                        "the results in " + shot.options.out.string() + " are of a case with another " + *other +
-                            "; give another --out or remove them");
-  if (known || (other && keeps_earlier_row(w, shot))) {
+  if (const std::string reason = conflict(w.study, shot); !reason.empty()) return note_failure(w, shot, reason);
+  if (known || (shot::other_case(shot.options) && keeps_earlier_row(w, shot))) {
     const std::lock_guard lock(w.mutex);
     ++w.outcome.known;
     return;
@@ -154,6 +150,15 @@ Case case_of(const shot::Options &options, const std::vector<std::string> &own_c
 }
 
 fs::path folder_of(const Study &study, const Case &shot) { return study.out / "shots" / shot.name; }
+
+std::string conflict(const Study &study, const Case &shot) {
+  shot::Options options = shot.options;
+  options.out = folder_of(study, shot);
+  const auto other = shot::other_case(options);
+  if (!other || other->empty()) return "";
+  return "the results in " + options.out.string() + " are of a case with another " + *other +
+         "; give another --out or remove them";
+}
 
 fs::path rows_file(const Study &study) {
   const std::string part =

@@ -61,6 +61,9 @@ std::filesystem::path folder_of(const Study &study, const Case &shot);
 /// Cores that this process may use: in a job of a cluster, some of a machine's.
 int cores();
 
+/// Why the results in the folder of a shot are not those of its case, one line; empty if they are or there are none.
+std::string conflict(const Study &study, const Case &shot);
+
 /// The file that takes the rows of this process.
 std::filesystem::path rows_file(const Study &study);
 
