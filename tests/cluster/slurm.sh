@@ -6,6 +6,7 @@
 # no daemon of an installed cluster.
 set -euo pipefail
 
+PATH=$PATH:/usr/sbin
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 ogive=$(realpath "$1")
 mkdir -p "$2"

@@ -79,7 +79,7 @@ TEST_CASE("Variations that are none are errors in one line") {
   for (const std::string text : {"thickness_mm", "=3", "thickness_mm=", ""})
     CHECK(error_of({text}) == "--vary = " + text + ": " + form);
   CHECK(error_of({"thicknes_mm=6"}) ==
-        "--vary: thicknes_mm: is no option of a case, did you mean thickness_mm?; ogive shoot --help-all lists them");
+        "--vary: thicknes_mm: is no option of a case, the nearest is thickness_mm; ogive shoot --help-all lists them");
   for (const char *of_the_run : {"out=a,b", "threads=1,2", "quiet=true"})
     CHECK(error_of({of_the_run}).find("is no option of a case") != std::string::npos);
   CHECK(error_of({"thickness_mm=6,wide"}).starts_with("--vary thickness_mm = wide: must be a number"));
@@ -125,8 +125,9 @@ TEST_CASE("A case that is listed twice is one case, a name that is given twice a
 }
 
 TEST_CASE("A list that cannot be read is an error with file, line and column") {
-  CHECK(error_in("thicknes_mm\n6\n") == "cases.csv:1: thicknes_mm: is no option of a case, did you mean thickness_mm?; "
-                                        "ogive shoot --help-all lists them");
+  CHECK(error_in("thicknes_mm\n6\n") ==
+        "cases.csv:1: thicknes_mm: is no option of a case, the nearest is thickness_mm; "
+        "ogive shoot --help-all lists them");
   CHECK(error_in("out\nelsewhere\n").starts_with("cases.csv:1: out: is no option of a case"));
   CHECK(error_in("nose,nose\nblunt,blunt\n") == "cases.csv:1: every column must have a name of its own");
   CHECK(error_in("thickness_mm,nose\n6,blunt\n8\n") == "cases.csv:3: fields in the row = 1: must be 2");
