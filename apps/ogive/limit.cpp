@@ -4,9 +4,7 @@
 #include "options/exit_status.hpp"
 
 #include "shot/defaults.hpp"
-#include "shot/signals.hpp"
 #include "shot/table.hpp"
-#include "study/cases.hpp"
 #include "study/finish.hpp"
 #include "study/plots.hpp"
 
@@ -26,12 +24,17 @@ constexpr std::array<double, 4> shown_velocities{1.1, 1.25, 1.5, 2.0};
 
 struct LimitOptions {
   double width_mps = 5; ///< of the bracket
-  study::StudyOptions study{.jobs = 1};
+  bool run = true;
 };
 
 options::Table table_of(shot::Options &o, LimitOptions &l) {
   options::Table t = shot::table_of(o);
-  study::add_study_options(t, l.study);
+  t.group = "Search";
+  options::add(t, l.run,
+               {.key = "run",
+                .meaning = "run what is missing; --no-run reports only what is known",
+                .source = "yes: ours",
+                .in_file = false});
   options::add(t, l.width_mps,
                {.key = "width_mps",
                 .meaning = "difference of the velocities between which the limit is to lie",
@@ -98,8 +101,7 @@ int limit(const options::Arguments &arguments) {
     any.velocity_mps = -1;
     o.out = shot::default_out(any).string() + "_limit";
   }
-  const study::Study study = study::study_of(l.study, o.out);
-  if (study.shards > 1) options::refuse("--shard", l.study.shard, "must be 1/1: one limit has no parts");
+  const study::Study study{.out = o.out, .threads = o.threads.value_or(study::cores())};
   study::Series series = study::series_of(study::case_of(o, {}, ""));
   series.published = {};
   series.guess_mps = line->find("velocity_mps") != nullptr ? o.velocity_mps : study::guess_mps(o);
@@ -107,7 +109,7 @@ int limit(const options::Arguments &arguments) {
               shot::name_of(o.method).c_str());
   std::fflush(stdout);
 
-  int status = study::run_study("ogive limit", study, l.study.run, {}, {series}, l.width_mps, [] {});
+  int status = study::run_study("ogive limit", study, l.run, {}, {series}, l.width_mps, [] {});
   const auto rows = [&] { return study::read_all_rows(o.out, {}); };
   auto limits = study::limits_in({series}, rows());
   if (status != options::success || limits.empty()) return status;
@@ -115,7 +117,7 @@ int limit(const options::Arguments &arguments) {
     std::printf("\n  %-22s %.1f +- %.1f m/s%s\n\n", "limit by bisection", estimate->limit, estimate->half_width,
                 limits.front().bracket.consistent ? "" : "; shots above it were stopped, too");
     std::fflush(stdout);
-    status = study::run_study("ogive limit", study, l.study.run, curve_above(series, estimate->limit), {}, 0, [] {});
+    status = study::run_study("ogive limit", study, l.run, curve_above(series, estimate->limit), {}, 0, [] {});
     if (status != options::success) return status;
   } else {
     std::printf("\n  no limit: %s\n",
@@ -124,7 +126,7 @@ int limit(const options::Arguments &arguments) {
   limits = study::write_limits(o.out / "limits.csv", {series}, rows(), {});
   if (limits.front().fit) print_fit(*limits.front().fit);
   try {
-    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {series}, rows(), {}, o.out);
+    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {series}, rows(), {}, o.out, true);
   } catch (const ogive::WriteError &error) {
     std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
   }

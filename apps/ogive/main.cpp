@@ -29,6 +29,7 @@ namespace {
 std::string help() {
   std::string text = "ogive COMMAND [options]: perforation of metal plates\n\nCommands:\n";
   for (const Subcommand &one : subcommands()) text += options::help_item(one.name, one.purpose);
+  text += options::help_item("completion", "print the completion of ogive for bash");
   return text + "\nExamples:\n"
                 "  ogive shoot\n"
                 "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15\n"

@@ -214,7 +214,8 @@ TEST_CASE("what is missing is named with the option that helps") {
   const auto choice = steel_choice(FlowForm::modified);
   tests.add(1e-3, 500, 0.2);
   CHECK_THROWS_WITH(sorted_series(tests.curves, steel_settings()),
-                    Catch::StartsWith("curves within 10 K of room temperature = 0") && Catch::Contains("room temperature is 293 K"));
+                    Catch::StartsWith("curves within 10 K of room temperature = 0") &&
+                        Catch::Contains("room temperature is 293 K"));
   tests.add(1e-3, 293, 0.2);
   CHECK_THROWS_WITH(
       calibrated(sorted_series(tests.curves, steel_settings()), choice),
