@@ -6,4 +6,4 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 "$root/scripts/build.sh"
 cd "$root"
-exec "$root/scripts/with_display.sh" ctest --preset release "$@"
+exec "$root/scripts/with_display.sh" ctest --preset release --parallel "$(nproc)" "$@"
