@@ -3,8 +3,8 @@
 
 #include "shared/input.hpp"
 
-#include "ogive/fit/adiabatic_curve.hpp"
 #include "ogive/fit/strain_bins.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/io/gnuplot.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "shared/command_line.hpp"
 #include "shared/exit_status.hpp"
 
-#include "ogive/fit/adiabatic_curve.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/material/library.hpp"
 
