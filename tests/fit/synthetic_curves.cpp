@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ogive/fit/adiabatic_curve.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/io/csv_rows.hpp"
 #include "ogive/material/library.hpp"
 
