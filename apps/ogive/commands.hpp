@@ -13,12 +13,13 @@
 
 namespace commands {
 
-/// A subcommand: its name, one line of purpose, its main function and its table for completion.
+/// A subcommand: its name, one line of purpose, its main function, and its table for completion.
 struct Subcommand {
   const char *name;
   const char *purpose;
   int (*run)(const options::Arguments &arguments);
   options::Table (*table)();
+  bool config = true; ///< takes --config FILE.toml
 };
 
 /// All subcommands in the order of the help.

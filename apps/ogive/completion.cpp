@@ -7,12 +7,12 @@ std::string bash_completion(const std::vector<Subcommand> &subcommands) {
   std::string names, cases;
   for (const Subcommand &one : subcommands) {
     names += (names.empty() ? "" : " ") + std::string(one.name);
-    std::string flags = "--help --help-all --version", values;
+    std::string flags = std::string("--help --help-all --version") + (one.config ? " --config" : ""), values;
     const options::Table table = one.table();
     for (const options::Option &option : table.options) {
       const std::string flag = options::flag_of(option.key);
       flags += " " + flag;
-      if (option.values == options::Values::none) flags += " --no-" + flag.substr(2);
+      if (option.values == options::Values::none) flags += " " + options::no_flag_of(option.key);
       if (option.names.empty()) continue;
       std::string choices;
       for (const std::string &name : option.names) choices += (choices.empty() ? "" : " ") + name;
@@ -28,7 +28,7 @@ std::string bash_completion(const std::vector<Subcommand> &subcommands) {
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    words='" +
          names +
-         " --help --version'\n"
+         " completion --help --version'\n"
          "  else\n"
          "  case ${COMP_WORDS[1]} in\n" +
          cases +

@@ -8,6 +8,7 @@
 #include "study/finish.hpp"
 #include "study/plots.hpp"
 
+#include "ogive/io/atomic_file.hpp"
 #include "ogive/io/write_error.hpp"
 
 #include <array>
@@ -60,6 +61,42 @@ void print_fit(const ogive::BallisticFit<double> &fit) {
               fit.points, fit.rms);
 }
 
+/// The bracket of the limit; nothing for lack of shots.
+std::optional<study::LimitRow> limit_of(const study::Series &series, const std::vector<study::Row> &rows) {
+  const auto limits = study::limits_in({series}, rows);
+  return limits.empty() ? std::nullopt : std::optional(limits.front());
+}
+
+/// Prints the bracket of the limit and returns its middle; nothing if there is no limit.
+std::optional<double> print_bisection(const std::optional<study::LimitRow> &row) {
+  const auto estimate = row ? ogive::limit_estimate(row->bracket) : std::nullopt;
+  if (estimate)
+    std::printf("  %-22s %.1f +- %.1f m/s%s\n", "limit by bisection", estimate->limit, estimate->half_width,
+                row->bracket.consistent ? "" : "; a shot stopped above one that perforated");
+  else if (row)
+    std::printf("  %-22s none: %s\n", "limit by bisection",
+                row->bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
+  std::fflush(stdout);
+  return estimate ? std::optional(estimate->limit) : std::nullopt;
+}
+
+/// Prints the fit, writes OUT/limits.csv and draws; with the tests of `tested`.
+void finish(const study::Series &series, const study::Series &tested, const std::filesystem::path &out) {
+  const auto rows = study::read_all_rows(out, {});
+  const auto row = limit_of(series, rows);
+  if (!row) return;
+  if (row->fit) print_fit(*row->fit);
+  if (const auto test = tested.published.test_limit_mps) std::printf("  %-22s %.1f m/s\n", "limit of the tests", *test);
+  ogive::write_atomically(out / "limits.csv", study::limits_csv({*row}, {}));
+  try {
+    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {tested}, rows, {}, out, true);
+    std::printf("  %-22s %s\n", "plot", (out / "limit.svg").c_str());
+  } catch (const ogive::WriteError &error) {
+    std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
+  }
+  std::printf("  %-22s %s, %s\n", "files", study::rows_shown(out).c_str(), (out / "limits.csv").c_str());
+}
+
 /// The shots above a limit that show the curve.
 std::vector<study::Case> curve_above(const study::Series &series, double limit) {
   std::vector<study::Case> shots;
@@ -102,36 +139,27 @@ int limit(const options::Arguments &arguments) {
     o.out = shot::default_out(any).string() + "_limit";
   }
   const study::Study study{.out = o.out, .threads = o.threads.value_or(study::cores())};
-  study::Series series = study::series_of(study::case_of(o, {}, ""));
+  const study::Series tested = study::series_of(study::case_of(o, {}, ""));
+  study::Series series = tested;
   series.published = {};
   series.guess_mps = line->find("velocity_mps") != nullptr ? o.velocity_mps : study::guess_mps(o);
   std::printf("Ballistic limit within %g m/s, %s, method %s\n", l.width_mps / 2, o.out.c_str(),
               shot::name_of(o.method).c_str());
   std::fflush(stdout);
-
-  int status = study::run_study("ogive limit", study, l.run, {}, {series}, l.width_mps, [] {});
-  const auto rows = [&] { return study::read_all_rows(o.out, {}); };
-  auto limits = study::limits_in({series}, rows());
-  if (status != options::success || limits.empty()) return status;
-  if (const auto estimate = ogive::limit_estimate(limits.front().bracket)) {
-    std::printf("\n  %-22s %.1f +- %.1f m/s%s\n\n", "limit by bisection", estimate->limit, estimate->half_width,
-                limits.front().bracket.consistent ? "" : "; shots above it were stopped, too");
-    std::fflush(stdout);
-    status = study::run_study("ogive limit", study, l.run, curve_above(series, estimate->limit), {}, 0, [] {});
-    if (status != options::success) return status;
-  } else {
-    std::printf("\n  no limit: %s\n",
-                limits.front().bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
-  }
-  limits = study::write_limits(o.out / "limits.csv", {series}, rows(), {});
-  if (limits.front().fit) print_fit(*limits.front().fit);
-  try {
-    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {series}, rows(), {}, o.out, true);
-  } catch (const ogive::WriteError &error) {
-    std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
-  }
-  std::printf("  %-22s %s\n", "files", (o.out / "shots.csv").c_str());
-  return status;
+  bool complete = true;
+  const auto run = [&](const study::Report &report) {
+    study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
+    complete = all.stopped_by == 0 && all.failed.empty();
+    if (!complete) return all;
+    if (const auto limit = print_bisection(limit_of(series, study::read_all_rows(o.out, {}))))
+      add(all, study::run_cases(study, curve_above(series, *limit), report));
+    return all;
+  };
+  return study::run_study("ogive limit", study, l.run, run, [&] {
+    if (!complete) return;
+    if (!l.run) print_bisection(limit_of(series, study::read_all_rows(o.out, {})));
+    finish(series, tested, o.out);
+  });
 }
 
 } // namespace commands

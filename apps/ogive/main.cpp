@@ -19,8 +19,8 @@ const std::vector<Subcommand> &subcommands() {
       {"sweep", "run a list of shots or limits, resumable, several at a time", sweep, sweep_table},
       {"mesh", "write the model of a shot for ParaView, with the quality of its hexes", mesh, mesh_table},
       {"calibrate", "fit a metal's flow law to tensile curves", calibrate, calibrate_table},
-      {"draw", "draw sections and curves of results", draw, draw_table},
-      {"materials", "list, show or check metals", materials, materials_table}};
+      {"draw", "draw sections and curves of results", draw, draw_table, false},
+      {"materials", "list, show or check metals", materials, materials_table, false}};
   return all;
 }
 
@@ -29,7 +29,7 @@ namespace {
 std::string help() {
   std::string text = "ogive COMMAND [options]: perforation of metal plates\n\nCommands:\n";
   for (const Subcommand &one : subcommands()) text += options::help_item(one.name, one.purpose);
-  text += options::help_item("completion", "print the completion of ogive for bash");
+  text += options::help_item("completion", "print completion for bash: source <(ogive completion)");
   return text + "\nExamples:\n"
                 "  ogive shoot\n"
                 "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15\n"
@@ -50,7 +50,7 @@ int run(const options::Arguments &arguments, std::string &name) {
     std::cout << bash_completion(subcommands());
     return options::success;
   }
-  std::vector<std::string> names;
+  std::vector<std::string> names{"completion"};
   for (const Subcommand &one : subcommands()) {
     names.emplace_back(one.name);
     if (arguments[0] != one.name) continue;

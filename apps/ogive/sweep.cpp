@@ -113,7 +113,7 @@ void draw(const study::CaseList &list, const std::vector<study::Series> &series,
   } catch (const ogive::WriteError &error) {
     std::fprintf(stderr, "ogive sweep: left out: %s\n", error.what());
   }
-  std::printf("\n  %-22s %s\n", "rows", (out / "shots.csv").c_str());
+  std::printf("\n  %-22s %s\n", "rows", study::rows_shown(out).c_str());
   if (limit) std::printf("  %-22s %s\n", "limits", (out / "limits.csv").c_str());
   if (drawn) std::printf("  %-22s %s\n", "plot", (out / "sweep.svg").c_str());
 }
@@ -157,10 +157,13 @@ int sweep(const options::Arguments &arguments) {
   const study::CaseList list = study::cases_of(levels, s.cases, s.vary);
   study::Study study = study::study_of(s.study, defaults.out);
   study.own_columns = list.own_columns;
+  study.threads = defaults.threads.value_or(study.threads);
   const auto series = s.limit ? study::series_in(list.cases) : std::vector<study::Series>{};
-  return study::run_study(
-      "ogive sweep", study, s.study.run, s.limit ? std::vector<study::Case>{} : study::share_of(list.cases, study),
-      study::share_of(series, study), s.width_mps, [&] { draw(list, series, s.limit, defaults.out); });
+  const auto run = [&](const study::Report &report) {
+    return s.limit ? study::find_limits(study, study::share_of(series, study), s.width_mps, report)
+                   : study::run_cases(study, study::share_of(list.cases, study), report);
+  };
+  return study::run_study("ogive sweep", study, s.study.run, run, [&] { draw(list, series, s.limit, defaults.out); });
 }
 
 } // namespace commands

@@ -35,8 +35,10 @@ void require_values(const Table &table, const Arguments &arguments) {
   if (!extra.starts_with("-")) throw ogive::SetupError(printable(extra) + ": unexpected argument" + help);
   std::vector<std::string> known{"--help", "--help-all", "--version"};
   if (command.config) known.emplace_back("--config");
-  for (const Option &option : table.options)
+  for (const Option &option : table.options) {
     for (const std::string &flag : flags_of(option)) known.push_back(flag);
+    if (option.values == Values::none) known.push_back(no_flag_of(option.key));
+  }
   const std::string flag = extra.substr(0, extra.find('='));
   throw ogive::SetupError(printable(flag) + ": unknown option" + nearest_text(flag, known) + help);
 }
@@ -71,7 +73,7 @@ std::optional<CommandLine> read_command_line(const Command &command, const Table
     const auto flags = flags_of(option);
     const std::string names = flags.front() + (flags.size() > 1 ? "," + flags.back() : "");
     if (option.values == Values::none)
-      options.push_back(app.add_flag(names + ",!--no-" + flags.front().substr(2)));
+      options.push_back(app.add_flag(names + ",!" + no_flag_of(option.key)));
     else if (option.values == Values::one)
       options.push_back(app.add_option(names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast));
     else

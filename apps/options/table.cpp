@@ -82,6 +82,8 @@ std::string flag_of(std::string_view key) {
   return flag;
 }
 
+std::string no_flag_of(std::string_view key) { return "--no-" + flag_of(key).substr(2); }
+
 std::string origin_of(const Origins &origins, const std::string &key) {
   const auto found = origins.find(key);
   return found == origins.end() ? flag_of(key) : found->second;
@@ -116,7 +118,7 @@ Option &add(Table &table, std::optional<int> &value, const Entry &entry) {
 Option &add(Table &table, bool &value, const Entry &entry) {
   Option &option = add_option(table, entry, Kind::truth, "");
   option.values = Values::none;
-  option.range = "; --no-" + flag_of(entry.key).substr(2) + " for not";
+  option.range = "; " + no_flag_of(entry.key) + " for not";
   option.allowed_text = "true or false";
   option.assign = [&value](const Given &given) { value = truth_given(given); };
   option.toml = [&value] { return std::string(value ? "true" : "false"); };

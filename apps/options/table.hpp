@@ -59,6 +59,9 @@ using Origins = std::map<std::string, std::string>;
 /// The flag of a key: thickness_mm is --thickness-mm.
 std::string flag_of(std::string_view key);
 
+/// The flag that turns an option without a value off: vtk is --no-vtk.
+std::string no_flag_of(std::string_view key);
+
 /// Where the value of a key comes from; its flag if nobody gave one.
 std::string origin_of(const Origins &origins, const std::string &key);
 

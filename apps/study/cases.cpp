@@ -72,8 +72,9 @@ std::vector<Given> varied_values(const options::Table &table, const std::string 
 
 /// A row of a list: what it gives, and its name.
 struct ListedCase {
-  std::vector<Given> given;
-  std::string name;
+  std::vector<Given> given{};
+  std::string name{};
+  std::string place = "--vary"; ///< file and line
 };
 
 struct List {
@@ -102,6 +103,7 @@ List read_list(const options::Table &table, const std::string &file) {
       throw SetupError(place + ": fields in the row = " + std::to_string(row.fields.size()) + ": must be " +
                        std::to_string(list.columns.size()));
     ListedCase &one = list.cases.emplace_back();
+    one.place = place;
     for (std::size_t k = 0; k < row.fields.size(); ++k) {
       const std::string &column = list.columns[k];
       if (column == "name") one.name = row.fields[k];
@@ -168,7 +170,8 @@ CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<st
       Case shot = case_of(shot::settled(levels), all.own_columns, one.name.empty() ? "" : one.name + suffix);
       if (!keys.insert(shot.key).second) continue; // the same case twice
       if (!names.insert(shot.name).second)
-        throw SetupError("cases: two have the name " + options::printable(shot.name));
+        throw SetupError(one.place + ": name = " + options::printable(shot.name) +
+                         ": is the name of another case, too");
       all.cases.push_back(std::move(shot));
     }
   return all;
@@ -203,7 +206,6 @@ void add_study_options(options::Table &t, StudyOptions &o) {
 Study study_of(const StudyOptions &o, const std::filesystem::path &out) {
   Study study{.out = out};
   study.jobs = o.jobs > 0 ? o.jobs : cores();
-  study.threads = std::max(1, cores() / study.jobs);
   const std::size_t slash = o.shard.find('/');
   const auto part = ogive::number_from(o.shard.substr(0, slash)),
              parts = slash == std::string::npos ? std::nullopt : ogive::number_from(o.shard.substr(slash + 1));

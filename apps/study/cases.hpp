@@ -37,7 +37,7 @@ struct StudyOptions {
 /// Adds --jobs, --shard and --no-run to a table.
 void add_study_options(options::Table &table, StudyOptions &options);
 
-/// A study in `out` with these choices; threads share the cores. Throws SetupError for a shard that is none.
+/// A study in `out` with these choices. Throws SetupError for a shard that is none.
 Study study_of(const StudyOptions &options, const std::filesystem::path &out);
 
 /// Every `shards`-th of a list from the `shard`-th on.

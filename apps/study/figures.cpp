@@ -156,14 +156,13 @@ int run(const Figures &figures, const options::Arguments &arguments) {
 
   const Study study = study_of(s, o.out);
   const auto shots = listed_shots(figures, o);
-  if (!s.run && read_all_rows(o.out, {}).empty())
-    options::refuse("--out", o.out.string(), "must be a folder with shots*.csv where nothing is run");
-  return run_study(figures.name.c_str(), study, s.run, share_of_series(cases_in(shots), study),
-                   o.limits ? curves_in(shots, study) : std::vector<Series>{}, bracket_width_mps, [&] {
-                     Study all = study;
-                     all.shard = all.shards = 1;
-                     draw(figures, o, all);
-                   });
+  const auto run_shots = [&](const Report &report) {
+    Outcome all = run_cases(study, share_of_series(cases_in(shots), study), report);
+    if (o.limits && all.stopped_by == 0)
+      add(all, find_limits(study, curves_in(shots, study), bracket_width_mps, report));
+    return all;
+  };
+  return run_study(figures.name.c_str(), study, s.run, run_shots, [&] { draw(figures, o, study); });
 }
 
 } // namespace

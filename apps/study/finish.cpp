@@ -22,20 +22,17 @@ void say(const std::string &line) {
 
 } // namespace
 
-int run_study(const char *program, const Study &study, bool runs, const std::vector<Case> &cases,
-              const std::vector<Series> &series, double width_mps, const std::function<void()> &draw) {
+int run_study(const char *program, const Study &study, bool runs, const std::function<Outcome(const Report &)> &run,
+              const std::function<void()> &draw) {
+  if (!runs && read_all_rows(study.out, study.own_columns).empty())
+    options::refuse("--out", study.out.string(), "must be a folder with shots*.csv where nothing is run");
   Outcome all;
   if (runs) {
     constexpr double bytes = 64e6; // of a shot with frames or of a checkpoint
     options::prepare_out(study.out, bytes, "");
     const StudyLock lock(study);
     const shot::SignalCatcher catcher;
-    all = run_cases(study, cases, say);
-    if (all.stopped_by == 0 && !series.empty()) {
-      const Outcome limits = find_limits(study, series, width_mps, say);
-      all.run += limits.run, all.stopped_by = limits.stopped_by;
-      all.failed.insert(all.failed.end(), limits.failed.begin(), limits.failed.end());
-    }
+    all = run(say);
     std::printf("%d shots run, %d known before, %zu failed\n", all.run, all.known, all.failed.size());
     std::fflush(stdout);
     for (const std::string &line : all.failed) std::fprintf(stderr, "%s: failed: %s\n", program, line.c_str());
@@ -47,6 +44,11 @@ int run_study(const char *program, const Study &study, bool runs, const std::vec
   }
   if (study.shards == 1) draw();
   return all.failed.empty() ? options::success : options::not_finished;
+}
+
+std::string rows_shown(const std::filesystem::path &out) {
+  std::error_code none;
+  return (out / (std::filesystem::exists(out / "shots.csv", none) ? "shots.csv" : "shots*.csv")).string();
 }
 
 std::vector<LimitRow> write_limits(const std::filesystem::path &file, const std::vector<Series> &series,

@@ -10,11 +10,15 @@
 
 namespace study {
 
-/// Runs the cases and then the limits of the series, unless `runs` is false, and draws unless the study is a shard.
-/// Prints a line for each shot and a sum, and each failure on standard error. Returns the exit status: 0, 3 if a shot
-/// failed, 128 + the signal that ended the work. Throws SetupError if another process has the study.
-int run_study(const char *program, const Study &study, bool runs, const std::vector<Case> &cases,
-              const std::vector<Series> &series, double width_mps, const std::function<void()> &draw);
+/// Runs the shots of a study, unless `runs` is false, and draws unless the study is a shard. `run` runs the shots and
+/// passes the report on. Prints a line for each shot and a sum, and each failure on standard error. Returns the exit
+/// status: 0, 3 if a shot failed, 128 + the signal that ended the work. Throws SetupError if another process has the
+/// study, or if nothing is run and there are no rows.
+int run_study(const char *program, const Study &study, bool runs, const std::function<Outcome(const Report &)> &run,
+              const std::function<void()> &draw);
+
+/// What a user is told of the files with rows.
+std::string rows_shown(const std::filesystem::path &out);
 
 /// Prints the limits that the rows give and writes them to `file`, if there are any. Throws WriteError.
 std::vector<LimitRow> write_limits(const std::filesystem::path &file, const std::vector<Series> &series,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limits.hpp"
 
+#include "materials/library.hpp"
 #include "shot/defaults.hpp"
 #include "shot/experiment.hpp"
+#include "shot/projectile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,16 +51,14 @@ std::string origin_of(const ogive::ParameterReport<double> &report) {
   return report.origin == held ? "held" : report.origin == fitted ? "fitted" : "at bound";
 }
 
-/// The series of a list whose next shot must be run, with its velocity.
-std::vector<std::pair<const Series *, double>> next_round(const std::vector<Series> &series,
-                                                          const std::vector<Row> &rows, double width_mps) {
-  std::vector<std::pair<const Series *, double>> round;
-  for (const Series &s : series) {
-    const auto expected = ogive::expected_limit(fit_of(s.key, rows, s.published));
-    if (const auto v = ogive::next_velocity(tried_shots(s.key, rows, false), s.guess_mps, width_mps, 1, expected))
-      round.emplace_back(&s, *v);
+/// Why the rows of a series are not its own: the results of a shot are of another case. Empty if they are.
+std::string conflict_in(const Study &study, const Series &series, const std::vector<Row> &rows) {
+  for (const Row &row : rows) {
+    if (series_key(row.key) != series.key) continue;
+    const Case shot = shot_of(series, number(row.key, velocity_column), study.own_columns);
+    if (const std::string reason = conflict(study, shot); !reason.empty()) return shot.name + ": " + reason;
   }
-  return round;
+  return "";
 }
 
 } // namespace
@@ -71,9 +71,8 @@ Key series_key(Key key) {
 double guess_mps(const shot::Options &options) { return 5 * std::round((90 + 9 * options.thickness_mm) / 5); }
 
 Series series_of(const Case &shot) {
-  Series series{shot.options, series_key(shot.key), 0, find_published(shot.key)};
-  // The limits of the tests grow about so with the thickness; the search leaves a wrong guess quickly.
-  series.guess_mps = series.published.test_limit_mps.value_or(5 * std::round((90 + 9 * shot.options.thickness_mm) / 5));
+  Series series{shot.options, series_key(shot.key), 0, find_published(shot.options)};
+  series.guess_mps = series.published.test_limit_mps.value_or(guess_mps(shot.options));
   return series;
 }
 
@@ -92,20 +91,20 @@ Case shot_of(const Series &series, double velocity_mps, const std::vector<std::s
   return case_of(options, own_columns, "");
 }
 
-Published find_published(const Key &key) {
-  const std::string metal = key.values[material_column].starts_with("weldox") ? "Weldox 460 E" : "AA5083-H116";
-  const std::string &nose = key.values[nose_column];
-  const double thickness_mm = number(key, thickness_column);
+Published find_published(const shot::Options &o) {
+  Published p;
+  const materials::LibraryMetal *metal = materials::find_library_metal(o.material);
+  if (metal == nullptr || !is_of_the_tests(o) || !o.layers_mm.empty()) return p;
+  const std::string nose(ogive::name(o.nose));
   const auto same = [&](const std::vector<std::string> &row) {
     const auto thickness = row.size() > 5 ? ogive::number_from(row[4]) : std::nullopt;
-    return thickness && std::abs(*thickness - thickness_mm) < 0.01 && row[2] == metal && row[3] == nose;
+    return thickness && std::abs(*thickness - o.thickness_mm) < 0.01 && row[2] == metal->test_name && row[3] == nose;
   };
-  Published p;
   for (auto row : experiment::read_rows(experiment::data_folder() / "experiment_limits.csv")) {
     row.insert(row.begin(), ""); // the columns then stand as in paper_simulations.csv
     if (!same(row) || row.size() < 9) continue;
     p.test_limit_mps = ogive::number_from(row[5]);
-    const double plug = nose == "blunt" ? experiment::plug_mass_kg(thickness_mm) : 0;
+    const double plug = nose == "blunt" ? experiment::plug_mass_kg(o.thickness_mm) : 0;
     p.a = ogive::number_from(row[6]).value_or(experiment::projectile_mass_kg / (experiment::projectile_mass_kg + plug));
     p.p = ogive::number_from(row[7]).value_or(2);
   }
@@ -114,22 +113,39 @@ Published find_published(const Key &key) {
   return p;
 }
 
-Outcome find_limits(const Study &study, std::vector<Series> series, double width_mps, const Report &report) {
+std::optional<double> next_velocity(const Series &series, const std::vector<Row> &rows, double width_mps) {
+  const auto expected = ogive::expected_limit(fit_of(series.key, rows, series.published));
+  return ogive::next_velocity(tried_shots(series.key, rows, false), series.guess_mps, width_mps, 1, expected);
+}
+
+Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report) {
+  const auto before = read_all_rows(study.out, study.own_columns);
   Outcome all;
-  while (all.stopped_by == 0) {
-    const auto round = next_round(series, read_all_rows(study.out, study.own_columns), width_mps);
-    if (round.empty()) break;
-    std::vector<Case> shots;
-    for (const auto &[one, velocity] : round) shots.push_back(shot_of(*one, velocity, study.own_columns));
-    const Outcome now = run_cases(study, shots, report);
-    all.run += now.run, all.stopped_by = now.stopped_by;
-    all.failed.insert(all.failed.end(), now.failed.begin(), now.failed.end());
-    // In all other series a row more is known: the rounds end.
-    const auto rows = read_all_rows(study.out, study.own_columns);
-    for (const Case &shot : shots)
-      if (find_row(rows, shot.key) == nullptr)
-        std::erase_if(series, [&](const Series &s) { return s.key == series_key(shot.key); });
+  std::vector<Series> own;
+  for (const Series &one : series) {
+    const std::string reason = conflict_in(study, one, before);
+    if (!reason.empty()) {
+      all.failed.push_back(reason);
+      report("failed: " + reason);
+      continue;
+    }
+    own.push_back(one);
+    all.known += static_cast<int>(
+        std::count_if(before.begin(), before.end(), [&](const Row &row) { return series_key(row.key) == one.key; }));
   }
+  std::vector<std::optional<Key>> last(own.size());
+  const auto next = [&](const std::vector<Row> &rows) -> std::optional<Case> {
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (last[k] && find_row(rows, *last[k]) == nullptr) continue; // its shot is running, or has failed
+      const auto velocity = next_velocity(own[k], rows, width_mps);
+      if (!velocity) continue;
+      Case shot = shot_of(own[k], *velocity, study.own_columns);
+      last[k] = shot.key;
+      return shot;
+    }
+    return std::nullopt;
+  };
+  add(all, run_chosen(study, own.size(), next, report));
   return all;
 }
 

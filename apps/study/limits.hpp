@@ -44,8 +44,7 @@ Key series_key(Key key);
 /// The first velocity of a search where no limit is known: the limits of the tests grow about so with the thickness.
 double guess_mps(const shot::Options &options);
 
-/// The series of a shot. The first velocity is the limit of the tests, or by a rule for its thickness where there are
-/// none.
+/// The series of a shot. The first velocity is the limit of the tests, or guess_mps() where there is none.
 Series series_of(const Case &shot);
 
 /// The series of all shots, each once.
@@ -54,13 +53,18 @@ std::vector<Series> series_in(const std::vector<Case> &shots);
 /// The shot of a series at a velocity.
 Case shot_of(const Series &series, double velocity_mps, const std::vector<std::string> &own_columns);
 
-/// What is published about a series, from the tables of tests. Throws SetupError for a damaged table.
-Published find_published(const Key &series);
+/// What is published about the limit of a case, from the tables of tests; nothing for plates and projectiles other than
+/// those of the tests. Throws SetupError for a damaged table.
+Published find_published(const shot::Options &options);
 
-/// Bisects the limits of all series to brackets of `width_mps`, round by round, each with at most one shot of a series.
-/// The first ones lie beside the limit of the curve through the residual velocities. A series whose shot failed has
-/// come to its end. Throws as run_cases().
-Outcome find_limits(const Study &study, std::vector<Series> series, double width_mps, const Report &report);
+/// The velocity of the next shot of a bisection to a bracket of `width_mps`; nothing once the bracket is that narrow.
+/// The first ones lie beside the limit of the curve through the residual velocities.
+std::optional<double> next_velocity(const Series &series, const std::vector<Row> &rows, double width_mps);
+
+/// Bisects the limits of all series, those of different series at the same time. A series ends with a shot that fails
+/// and is left out if its rows are of another case. Its shots that are there before count as known. Throws as
+/// run_cases().
+Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report);
 
 /// The limits that rows give.
 std::vector<LimitRow> limits_in(const std::vector<Series> &series, const std::vector<Row> &rows);

@@ -167,12 +167,16 @@ bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const s
     std::string title = shortest(plate.thickness_mm) + " mm " + plate.metal + ", " + plate.nose, curves;
     const auto add = [&](const std::string &one) { curves += (curves.empty() ? "plot " : ", ") + one; };
     const auto file = [&](const std::string &what) { return base.string() + "_" + what + ".csv"; };
-    if (const Published &published = members.front()->published; published.test_limit_mps)
+    const auto tested = std::find_if(members.begin(), members.end(),
+                                     [](const Series *one) { return one->published.test_limit_mps.has_value(); });
+    if (tested != members.end()) {
+      const Published &published = (*tested)->published;
       add(curve(written(points_of({published.a, published.p, *published.test_limit_mps}, std::max(420.0, fastest)),
                         file("test_curve")),
                 {"Recht-Ipson, measured limit", "with lines linecolor rgb '#707070' dashtype 2 linewidth 1.5"}));
-    if (const auto shots = measured_shots(plate); !shots.empty())
-      add(curve(written(shots, file("tests")), {"test", measured_style}));
+      if (const auto shots = measured_shots(plate); !shots.empty())
+        add(curve(written(shots, file("tests")), {"test", measured_style}));
+    }
     for (std::size_t k = 0; k < members.size(); ++k) {
       const Key &key = members[k]->key;
       const std::string what =

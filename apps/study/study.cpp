@@ -23,13 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One call of run_cases(). The mutex guards all below it.
+/// One call of run_chosen(). The mutex guards all below it.
 struct Work {
   const Study &study;
-  const std::vector<Case> &cases;
   const Report &report;
+  int threads = 1; ///< of each shot
   std::mutex mutex{};
-  std::size_t next = 0;
+  const NextCase &next;
   std::vector<Row> rows{};
   Outcome outcome{};
 };
@@ -41,6 +41,10 @@ bool has_frames(const Study &study, const Case &shot) {
   std::error_code none;
   return !shot.options.vtk ||
          (fs::exists(folder / "summary.json", none) && fs::exists(folder / "perforation.pvd", none));
+}
+
+bool is_known(const Study &study, const Case &shot, const std::vector<Row> &rows) {
+  return find_row(rows, shot.key) != nullptr && has_frames(study, shot);
 }
 
 void keep(Work &w, const Case &shot, const Row &row) {
@@ -75,16 +79,12 @@ bool keeps_earlier_row(Work &w, const Case &shot) {
 
 /// Runs one case, or finds that it needs no run.
 void run_case(Work &w, const Case &shot) {
-  const bool known = has_frames(w.study, shot) && [&] {
+  const bool known = [&] {
     const std::lock_guard lock(w.mutex);
-    return find_row(w.rows, shot.key) != nullptr;
+    return is_known(w.study, shot, w.rows);
   }();
-  const auto other = shot::other_case(shot.options);
-  if (other && !other->empty())
-    return note_failure(w, shot,
-                        "the results in " + shot.options.out.string() + " are of a case with another " + *other +
-                            "; give another --out or remove them");
-  if (known || (other && keeps_earlier_row(w, shot))) {
+  if (const std::string reason = conflict(w.study, shot); !reason.empty()) return note_failure(w, shot, reason);
+  if (known || (shot::other_case(shot.options) && keeps_earlier_row(w, shot))) {
     const std::lock_guard lock(w.mutex);
     ++w.outcome.known;
     return;
@@ -97,16 +97,24 @@ void run_case(Work &w, const Case &shot) {
   ++w.outcome.run;
 }
 
-/// Takes one case after another.
+/// The next case with its folder, to be run without files that a study has no use for.
+std::optional<Case> next_case(Work &w) {
+  const std::lock_guard lock(w.mutex);
+  if (shot::caught_signal() != 0) return std::nullopt;
+  auto shot = w.next(w.rows);
+  if (shot) {
+    shot->options.out = folder_of(w.study, *shot);
+    shot->options.threads.reset();
+    shot->options.picture = false;
+    shot->options.quiet = true;
+  }
+  return shot;
+}
+
+/// Runs one case after another.
 void work(Work &w) {
-  omp_set_num_threads(w.study.threads);
-  for (;;) {
-    const Case *shot = nullptr;
-    {
-      const std::lock_guard lock(w.mutex);
-      if (w.next == w.cases.size() || shot::caught_signal() != 0) return;
-      shot = &w.cases[w.next++];
-    }
+  omp_set_num_threads(w.threads);
+  while (const auto shot = next_case(w)) {
     try {
       run_case(w, *shot);
     } catch (const std::exception &error) {
@@ -116,6 +124,12 @@ void work(Work &w) {
 }
 
 } // namespace
+
+void add(Outcome &all, const Outcome &more) {
+  all.run += more.run;
+  all.failed.insert(all.failed.end(), more.failed.begin(), more.failed.end());
+  if (all.stopped_by == 0) all.stopped_by = more.stopped_by;
+}
 
 int cores() { return std::max(1, omp_get_num_procs()); }
 
@@ -137,6 +151,15 @@ Case case_of(const shot::Options &options, const std::vector<std::string> &own_c
 
 fs::path folder_of(const Study &study, const Case &shot) { return study.out / "shots" / shot.name; }
 
+std::string conflict(const Study &study, const Case &shot) {
+  shot::Options options = shot.options;
+  options.out = folder_of(study, shot);
+  const auto other = shot::other_case(options);
+  if (!other || other->empty()) return "";
+  return "the results in " + options.out.string() + " are of a case with another " + *other +
+         "; give another --out or remove them";
+}
+
 fs::path rows_file(const Study &study) {
   const std::string part =
       study.shards > 1 ? "." + std::to_string(study.shard) + "-of-" + std::to_string(study.shards) : "";
@@ -144,23 +167,27 @@ fs::path rows_file(const Study &study) {
 }
 
 Outcome run_cases(const Study &study, const std::vector<Case> &cases, const Report &report) {
+  const auto rows = read_all_rows(study.out, study.own_columns);
+  const auto missing =
+      std::count_if(cases.begin(), cases.end(), [&](const Case &shot) { return !is_known(study, shot, rows); });
+  std::size_t next = 0;
+  const auto in_order = [&](const std::vector<Row> &) -> std::optional<Case> {
+    if (next == cases.size()) return std::nullopt;
+    return cases[next++];
+  };
+  return run_chosen(study, static_cast<std::size_t>(missing), in_order, report);
+}
+
+Outcome run_chosen(const Study &study, std::size_t at_once, const NextCase &next, const Report &report) {
   std::error_code error;
   fs::create_directories(study.out / "shots", error);
   if (error) throw ogive::write_error(study.out / "shots", error.message());
-
-  std::vector<Case> placed = cases;
-  for (Case &shot : placed) {
-    shot.options.out = folder_of(study, shot);
-    shot.options.threads.reset();
-    shot.options.picture = false;
-    shot.options.quiet = true;
-  }
-  Work w{study, placed, report};
+  const int workers = static_cast<int>(std::clamp<std::size_t>(at_once, 1, static_cast<std::size_t>(study.jobs)));
+  Work w{.study = study, .report = report, .threads = std::max(1, cores() / workers), .next = next};
   w.rows = read_all_rows(study.out, study.own_columns);
   {
-    std::vector<std::jthread> workers;
-    for (int k = 0; k < std::min<int>(study.jobs, static_cast<int>(placed.size())); ++k)
-      workers.emplace_back([&w] { work(w); });
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < workers; ++k) threads.emplace_back([&w] { work(w); });
   }
   w.outcome.stopped_by = shot::caught_signal();
   return w.outcome;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,7 @@ struct Case {
 struct Study {
   std::filesystem::path out;              ///< folder of the study: shots/ and the rows
   std::vector<std::string> own_columns{}; ///< of the key, besides key_columns()
-  int jobs = 1;                           ///< shots at a time
-  int threads = 1;                        ///< of each shot
+  int jobs = 1;                           ///< shots at a time, which share the cores
   int shard = 1;                          ///< this process runs part `shard` of `shards`
   int shards = 1;
 };
@@ -38,8 +38,15 @@ struct Outcome {
   int stopped_by = 0;                ///< the signal that ended the work; 0: none did
 };
 
+/// Adds the shots that were run, and failed, in further work.
+void add(Outcome &all, const Outcome &more);
+
 /// Receives a line for each shot that ends.
 using Report = std::function<void(const std::string &line)>;
+
+/// Chooses the next case by the rows that are known; nothing if there is none until a running shot ends. Is called by
+/// one thread at a time.
+using NextCase = std::function<std::optional<Case>(const std::vector<Row> &rows)>;
 
 /// A case of a study: its key and the name of its folder by the columns.
 Case case_of(const shot::Options &options, const std::vector<std::string> &own_columns, const std::string &name);
@@ -51,8 +58,11 @@ std::string folder_name(const Key &key, const std::vector<std::string> &own_colu
 /// The folder of a shot.
 std::filesystem::path folder_of(const Study &study, const Case &shot);
 
-/// Cores that this process may use, shared out over the jobs: on a cluster, few of many.
+/// Cores that this process may use: in a job of a cluster, some of a machine's.
 int cores();
+
+/// Why the results in the folder of a shot are not those of its case, one line; empty if they are or there are none.
+std::string conflict(const Study &study, const Case &shot);
 
 /// The file that takes the rows of this process.
 std::filesystem::path rows_file(const Study &study);
@@ -62,5 +72,8 @@ std::filesystem::path rows_file(const Study &study);
 /// leaves the others alone. The first SIGINT, SIGTERM or SIGHUP lets running shots write their checkpoints and ends the
 /// work. Throws WriteError if the folder cannot be used and SetupError for damaged rows, before any shot is run.
 Outcome run_cases(const Study &study, const std::vector<Case> &cases, const Report &report);
+
+/// Runs cases as run_cases() does, each chosen when a thread is free for it, at most `at_once` at a time.
+Outcome run_chosen(const Study &study, std::size_t at_once, const NextCase &next, const Report &report);
 
 } // namespace study

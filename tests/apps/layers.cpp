@@ -2,10 +2,10 @@
 #include "apps/parse.hpp"
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
-#include "perforate/options_material.hpp"
-#include "perforate/to_case.hpp"
+#include "shot/plates.hpp"
+#include "shot/to_case.hpp"
 
-using perforate::Options;
+using shot::Options;
 
 namespace {
 
@@ -22,23 +22,23 @@ TEST_CASE("several plates come from lists") {
   CHECK(o.layer_materials == Names{"weldox_460e", "aa5083_h116"});
   CHECK(o.material == "weldox_460e");
   CHECK(o.thickness_mm == 12);
-  CHECK(perforate::target_depth_mm(o) == 22);
+  CHECK(shot::target_depth_mm(o) == 22);
   CHECK(o.out == "vtk_out/weldox_460e+aa5083_h116_mjc_blunt_4+8mm_10mm_apart_303.5mps");
-  const auto c = perforate::to_case(o);
+  const auto c = shot::to_case(o);
   CHECK(c.thickness == 4e-3);
   REQUIRE(c.behind.size() == 1);
   CHECK(c.behind[0].gap == 10e-3);
   CHECK(c.behind[0].thickness == 8e-3);
-  const auto plates = perforate::plates_of(o);
+  const auto plates = shot::plates_of(o);
   REQUIRE(plates.size() == 2);
-  CHECK(material_file::name_of(plates[1]) == "aa5083_h116");
+  CHECK(materials::name_of(plates[1]) == "aa5083_h116");
 
   CHECK(options_of({"--layers-mm", "6,6"}).gaps_mm == Numbers{0});
   CHECK(options_of({"--layers-mm", "6,6"}).out == "vtk_out/weldox_460e_mjc_blunt_6+6mm_303.5mps");
   CHECK(options_of({"--layers-mm", "3,3,3", "--gaps-mm", "2"}).gaps_mm == Numbers{2, 2});
   CHECK(options_of({"--layers-mm", "3,3,3", "--gaps-mm", "2,0"}).out ==
         "vtk_out/weldox_460e_mjc_blunt_3+3+3mm_2+0mm_apart_303.5mps");
-  CHECK(perforate::plates_of(options_of({"--layers-mm", "3,3,3"})).size() == 3);
+  CHECK(shot::plates_of(options_of({"--layers-mm", "3,3,3"})).size() == 3);
 }
 
 TEST_CASE("a list of one plate, or of one material, is that plate and that material") {
@@ -92,21 +92,21 @@ TEST_CASE("plates in a file, and files of their metals beside it") {
     write(file, text);
     return refusal({"--config", file.c_str()});
   };
-  write(steel, material_file::to_toml(perforate::plate_of(options_of({"--model", "jc"})), ""));
+  write(steel, materials::to_toml(plate_of(options_of({"--model", "jc"})), ""));
   write(file, "layers_mm = [4, 8.5]\ngaps_mm = [10]\nlayer_materials = [\"steel.toml\", \"aa5083_h116\"]\n");
   const Options o = options_of({"--config", file.c_str()});
   CHECK(o.layers_mm == Numbers{4, 8.5});
   CHECK(o.layer_materials == Names{steel, "aa5083_h116"});
-  CHECK(o.model == perforate::FlowModel::jc); // the file's, and so the other plate's
-  CHECK(perforate::plates_of(o)[1].index() == perforate::plates_of(o)[0].index());
+  CHECK(o.model == shot::FlowModel::jc); // the file's, and so the other plate's
+  CHECK(shot::plates_of(o)[1].index() == shot::plates_of(o)[0].index());
   // What is written runs the same case again, and the command line overrides it.
-  write(file, perforate::to_toml(o));
+  write(file, shot::to_toml(o));
   CHECK(options_of({"--config", file.c_str()}) == o);
   const Options thick = options_of({"--config", file.c_str(), "--thickness-mm", "10", "--material", "aa5083_h116"});
   CHECK(thick.layers_mm.empty());
   CHECK(thick.thickness_mm == 10);
   CHECK(thick.material == "aa5083_h116");
-  write(file, perforate::to_toml(options_of({"--thickness-mm", "8"})));
+  write(file, shot::to_toml(options_of({"--thickness-mm", "8"})));
   CHECK(options_of({"--config", file.c_str(), "--layers-mm", "4,4"}).layers_mm == Numbers{4, 4});
 
   CHECK(refused("layers_mm = \"4,8\"\nout = \"a\"\n").empty());
@@ -115,7 +115,7 @@ TEST_CASE("plates in a file, and files of their metals beside it") {
   CHECK_THAT(refused("layers_mm = []\n"), Catch::Contains(":1: layers_mm = : must be 1 to 8 thicknesses"));
   CHECK_THAT(refused("layers_mm = true\n"), Catch::Contains(":1: layers_mm = true: must be a number"));
   CHECK_THAT(refused("layers_mm = [4, 8]\nmaterial = [\"weldox_460e\"]\n"), Catch::Contains("must be one of"));
-  write((folder.path / "other.toml").string(), material_file::to_toml(perforate::plate_of(Options{}), ""));
+  write((folder.path / "other.toml").string(), materials::to_toml(plate_of(Options{}), ""));
   CHECK_THAT(refused("layers_mm = [4, 8]\nlayer_materials = [\"steel.toml\", \"other.toml\"]\n"),
              Catch::Contains("other.toml: has model = mjc, the other plates jc: all plates must have the same"));
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shared/material_file.hpp"
+#include "materials/material_file.hpp"
 
 #include "apps/parse.hpp"
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
-#include "shared/material_keys.hpp"
+#include "materials/material_keys.hpp"
 
 #include "ogive/material/library.hpp"
 
@@ -13,7 +13,7 @@
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
-using material_file::AnyMetal;
+using materials::AnyMetal;
 
 namespace {
 
@@ -24,11 +24,11 @@ std::vector<std::string> bits_of(const AnyMetal &any) {
   std::vector<std::string> all;
   std::visit(
       [&](const auto &metal) {
-        material_file::for_each_key(metal, [&]<class V>(const material_file::Key &key, const V &value) {
+        materials::for_each_key(metal, [&]<class V>(const materials::Key &key, const V &value) {
           if constexpr (std::is_same_v<V, double>)
             all.push_back(std::to_string(std::bit_cast<std::uint64_t>(value)));
           else
-            all.push_back(material_file::text_of(key, value));
+            all.push_back(materials::text_of(key, value));
         });
       },
       any);
@@ -59,7 +59,7 @@ std::string with(const std::string &key, const std::string &line) {
 }
 
 std::string refusal_of(const std::string &text) {
-  return message_of([&] { material_file::parse(text, "my.toml"); });
+  return message_of([&] { materials::parse(text, "my.toml"); });
 }
 
 } // namespace
@@ -83,29 +83,29 @@ TEST_CASE("every metal of the library reads back from its file to the last bit")
        {AnyMetal(library::weldox_460e_mjc<double>()), AnyMetal(library::weldox_460e_jc<double>()),
         AnyMetal(library::aa5083_h116_mjc<double>()), AnyMetal(library::aa5083_h116_mjc<double>(0.85)),
         AnyMetal(library::aa5083_h116_jc<double>()), AnyMetal(odd), AnyMetal(bare)}) {
-    const std::string text = material_file::to_toml(metal, "two\nlines");
+    const std::string text = materials::to_toml(metal, "two\nlines");
     CHECK_THAT(text, StartsWith("# two\n# lines\nname = "));
-    const AnyMetal read = material_file::parse(text, "my.toml");
+    const AnyMetal read = materials::parse(text, "my.toml");
     CHECK(bits_of(read) == bits_of(metal));
-    CHECK(material_file::to_toml(read, "two\nlines") == text);
+    CHECK(materials::to_toml(read, "two\nlines") == text);
   }
-  CHECK(material_file::to_toml(bare, "").find("D1") == std::string::npos);
-  CHECK(material_file::to_toml(bare, "").find("gruneisen") == std::string::npos);
+  CHECK(materials::to_toml(bare, "").find("D1") == std::string::npos);
+  CHECK(materials::to_toml(bare, "").find("gruneisen") == std::string::npos);
 }
 
 TEST_CASE("a unit moves the point of a number, without rounding") {
-  CHECK(input::shortest(503e6, -6) == "503");
-  CHECK(input::shortest(-0.5, -3) == "-0.0005");
-  CHECK(input::shortest(1234.5, 2) == "123450");
-  CHECK(input::shortest(1.25e-20, -6) == "1.25e-26");
-  CHECK(input::number_from("1.5e-3", 6) == 1500.0);
-  CHECK(input::number_from("-2E+2", -3) == -0.2);
-  CHECK_FALSE(input::number_from("5e", 6));
-  CHECK_FALSE(input::number_from("", 6));
+  CHECK(options::shortest(503e6, -6) == "503");
+  CHECK(options::shortest(-0.5, -3) == "-0.0005");
+  CHECK(options::shortest(1234.5, 2) == "123450");
+  CHECK(options::shortest(1.25e-20, -6) == "1.25e-26");
+  CHECK(options::number_from("1.5e-3", 6) == 1500.0);
+  CHECK(options::number_from("-2E+2", -3) == -0.2);
+  CHECK_FALSE(options::number_from("5e", 6));
+  CHECK_FALSE(options::number_from("", 6));
 }
 
 TEST_CASE("a file needs no optional keys, and numbers may be written in every way") {
-  const AnyMetal any = material_file::parse(mjc, "my.toml");
+  const AnyMetal any = materials::parse(mjc, "my.toml");
   const auto &metal = std::get<0>(any);
   CHECK(metal.name == "my steel");
   CHECK(metal.source.empty());
@@ -115,10 +115,10 @@ TEST_CASE("a file needs no optional keys, and numbers may be written in every wa
   CHECK(metal.flow.A == 503e6);
   CHECK(metal.taylor_quinney == 0.9);
   CHECK(metal.rate_floor == 1);
-  CHECK_FALSE(has(any, material_file::Group::shock));
-  CHECK_FALSE(has(any, material_file::Group::strain));
+  CHECK_FALSE(has(any, materials::Group::shock));
+  CHECK_FALSE(has(any, materials::Group::strain));
   for (const char *written : {"503", "+503", "503.0", "0.503e3", "50_300.0e-2", "0x1f7", "503000.0E-0000003"})
-    CHECK(std::get<0>(material_file::parse(with("A_MPa", "A_MPa = " + std::string(written)), "")).flow.A == 503e6);
+    CHECK(std::get<0>(materials::parse(with("A_MPa", "A_MPa = " + std::string(written)), "")).flow.A == 503e6);
 }
 
 TEST_CASE("one error names all keys that are missing or superfluous") {
@@ -194,7 +194,7 @@ TEST_CASE("wrong values in a material file are refused with file, line, key and 
 TEST_CASE("a material file that cannot be read is refused") {
   const TemporaryFolder folder;
   const std::string file = (folder.path / "my.toml").string();
-  const auto refusal_of_file = [&] { return message_of([&] { material_file::read(file); }); };
+  const auto refusal_of_file = [&] { return message_of([&] { materials::read(file); }); };
   CHECK(refusal_of_file() ==
         "material = " + file + ": must be a TOML file that can be read: No such file or directory");
   write(file, mjc + std::string(1 << 20, '#'));

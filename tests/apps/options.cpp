@@ -2,16 +2,23 @@
 #include "apps/parse.hpp"
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
-#include "perforate/options_projectile.hpp"
+#include "shot/projectile.hpp"
 
+#include "ogive/version.hpp"
+#include "options/nearest.hpp"
+#include "shot/defaults.hpp"
+#include "shot/run.hpp"
+#include "shot/table.hpp"
+
+#include <set>
 #include <unistd.h>
 
-using perforate::Options;
+using shot::Options;
 
 namespace {
 
 std::string refusal_of_out(const Options &options) {
-  return message_of([&] { perforate::prepare_out(options); });
+  return message_of([&] { shot::prepare_out(options); });
 }
 
 } // namespace
@@ -20,6 +27,8 @@ TEST_CASE("without arguments the options are the main job") {
   const Options o = options_of({});
   CHECK(o == Options{});
   CHECK(o.out == "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps");
+  CHECK(shot::default_out(o) == o.out);
+  CHECK(shot::settled({}) == o);
 }
 
 TEST_CASE("friction, end and folder follow from the case unless given") {
@@ -94,6 +103,11 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--nose", "a\nb"}, "--nose = a?b: must be one of blunt"},
       {{"--material", "steel"},
        "--material = steel: must be one of weldox_460e, aa5083_h116, aa5083_h116_25mm, or a file that ends in .toml"},
+      {{"--material", "weldox_460"},
+       "--material = weldox_460: must be one of weldox_460e, aa5083_h116, aa5083_h116_25mm, or a file that ends in "
+       ".toml, "
+       "the nearest is weldox_460e"},
+      {{"--material", "list"}, "--material = list: must be one of weldox_460e, "},
       {{"--material", "no_such.toml"}, "--material = no_such.toml: must be a TOML file that can be read: No such file"},
       {{"--damage", "yes"}, "--damage = yes: must be one of none, jc, cockcroft_latham"},
       {{"--damage", "jc", "--failure", "crack"}, "--failure = crack: must be one of none, no_tension, removal"},
@@ -122,14 +136,24 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--model", "MJC"}, "--model = MJC: must be one of mjc, jc"},
       {{"--kernel", "gauss"}, "--kernel = gauss: must be one of cubic_spline, wendland_c2"},
       {{"--quiet=maybe"}, "--quiet = maybe: must be true or false"},
+      {{"--no-quiet=maybe"}, "--no-quiet"},
+      {{"--quiet="}, "--quiet: needs a value: true or false"},
       {{"--thickness-mm"}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
       {{"--thickness-mm", ""}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
       {{"--thickness-mm="}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
       {{"--thickness-mm", "--quiet"}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
       {{"--nose"}, "--nose: needs a value: one of blunt, conical, ogival, hemispherical"},
+      {{"--restart"}, "--restart: needs a value: the name of a checkpoint file"},
       {{"--config"}, "--config: needs a value: the name of a TOML file"},
-      {{"--thicknes-mm", "3"}, "--thicknes-mm: unknown option, perforate --help lists what is allowed"},
-      {{"12"}, "12: unexpected argument, perforate --help lists what is allowed"},
+      {{"--thicknes-mm", "3"},
+       "--thicknes-mm: unknown option, the nearest is --thickness-mm; ogive shoot --help-all lists what is allowed"},
+      {{"--thickness", "3"},
+       "--thickness: unknown option, the nearest is --thickness-mm; ogive shoot --help-all lists what is allowed"},
+      {{"--qiuet=true"}, "--qiuet: unknown option, the nearest is --quiet; "},
+      {{"--no-vkt"}, "--no-vkt: unknown option, the nearest is --no-vtk; "},
+      {{"--bullets", "3"}, "--bullets: unknown option; ogive shoot --help-all lists what is allowed"},
+      {{"-x"}, "-x: unknown option; ogive shoot --help-all lists what is allowed"},
+      {{"12"}, "12: unexpected argument; ogive shoot --help-all lists what is allowed"},
       {{"--out", "a\nb"}, "--out = a?b: must be the name of a folder, on one line"},
       {{"--config", "no_such.toml"}, "--config = no_such.toml: must be a TOML file that can be read: No such file"},
       {{"--config", "."}, "--config = .: must be a TOML file that can be read: Is a directory"},
@@ -160,12 +184,17 @@ TEST_CASE("errors in a TOML file name file, line, key and what is allowed") {
       {"out = 3\n", ":1: out = 3: must be the name of a folder"},
       {"nose = true\n", ":1: nose = true: must be one of blunt, conical, ogival, hemispherical"},
       {"nose = \"flat\"\n", ":1: nose = \"flat\": must be one of blunt, conical, ogival, hemispherical"},
-      {"thickness = 3\n", ":1: thickness = 3: unknown key; allowed are material, model, method, damage, failure, "},
+      {"thickness = 3\n",
+       ":1: thickness = 3: unknown key, the nearest is thickness_mm; allowed are material, model, method, damage, "},
+      {"bullets = 3\n", ":1: bullets = 3: unknown key; allowed are material, model, method, damage, failure, "},
+      {"material = \"weldox_460\"\n", ":1: material = \"weldox_460\": must be one of weldox_460e, "},
       {"material = \"list\"\n", ":1: material = \"list\": must be one of weldox_460e, "},
       {"material = 460\n", ":1: material = 460: must be one of weldox_460e, "},
       {"material = \"/gone.toml\"\n", ":1: material = /gone.toml: must be a TOML file that can be read: No such file"},
       {"damage = \"none\"\nfailure = \"removal\"\n", ":2: failure = removal: needs --damage jc or "},
       {"config = \"b.toml\"\n", ":1: config = b.toml: unknown key; allowed are material"},
+      {"restart = \"checkpoint.bin\"\n", ":1: restart = checkpoint.bin: unknown key; allowed are material"},
+      {"resume = true\n", ":1: resume = true: unknown key; allowed are material"},
       {"[plate]\nthickness_mm = 3\n", ":1: plate = a table: unknown key; allowed are material"},
       {"spacing_mm = 4\nthickness_mm = 6\n",
        ":1: spacing_mm = 4: must be at most half the thickness of the plate, 3 mm"},
@@ -189,7 +218,7 @@ TEST_CASE("the command line overrides the file, and the last of a flag counts") 
   const Options o = options_of({"--velocity-mps", "1", "--config", file.c_str(), "--velocity-mps", "260", "--vtk"});
   CHECK(o.thickness_mm == 8);
   CHECK(o.velocity_mps == 260);
-  CHECK(o.nose == perforate::Nose::ogival);
+  CHECK(o.nose == shot::Nose::ogival);
   CHECK(o.friction == 0.08);
   CHECK(o.vtk);
   CHECK_FALSE(o.picture);
@@ -201,32 +230,32 @@ TEST_CASE("case.toml runs the same case again") {
   const std::string file = (folder.path / "case.toml").string();
   Options all;
   all.material = "aa5083_h116_25mm";
-  all.model = perforate::FlowModel::jc;
-  all.method = perforate::Method::stabilised;
-  all.damage = perforate::DamageLaw::cockcroft_latham;
+  all.model = shot::FlowModel::jc;
+  all.method = shot::Method::stabilised;
+  all.damage = shot::DamageLaw::cockcroft_latham;
   all.damage_softening = 0.25;
   all.damage_length_mm = 0.7;
   all.damage_length_exponent = 0.6;
-  all.damage_length_scope = perforate::LengthScope::everywhere;
-  all.damage_pressure = perforate::DamagePressure::own;
-  all.failure = perforate::FailureEffect::removal;
+  all.damage_length_scope = shot::LengthScope::everywhere;
+  all.damage_pressure = shot::DamagePressure::own;
+  all.failure = shot::FailureEffect::removal;
   all.thickness_mm = 25.1;
   all.clamp_radius_mm = 100.0 + 1.0 / 3;
-  all.nose = perforate::Nose::hemispherical;
-  all.projectile = perforate::ProjectileKind::rigid;
+  all.nose = shot::Nose::hemispherical;
+  all.projectile = shot::ProjectileKind::rigid;
   all.velocity_mps = 1000.0 / 7;
   all.friction = 1.0 / 30;
   all.end_us = 100000;
   all.settle_us = 2500.5;
   all.spacing_mm = 2.0 / 3;
   all.sph_radius_mm = 30;
-  all.extent = perforate::Extent::half;
-  all.lattice = perforate::Lattice::ring;
-  all.form = perforate::SphForm::standard;
-  all.kernel = perforate::SphKernel::wendland_c2;
-  all.smoothing = perforate::Smoothing::variable;
-  all.element = perforate::ElementRule::selective_reduced;
-  all.pressure = perforate::PressureLaw::mie_gruneisen;
+  all.extent = shot::Extent::half;
+  all.lattice = shot::Lattice::ring;
+  all.form = shot::SphForm::standard;
+  all.kernel = shot::SphKernel::wendland_c2;
+  all.smoothing = shot::Smoothing::variable;
+  all.element = shot::ElementRule::selective_reduced;
+  all.pressure = shot::PressureLaw::mie_gruneisen;
   all.control_stiffness = 0.2;
   all.contact_stiffness = 0.05;
   all.linear_viscosity = 0.1;
@@ -239,15 +268,13 @@ TEST_CASE("case.toml runs the same case again") {
   all.quiet = true;
   all.threads = 3;
   for (const Options &o : {all, Options{}, options_of({"--nose", "conical", "--velocity-mps", "214.1"})}) {
-    write(file, perforate::to_toml(o));
+    write(file, shot::to_toml(o));
     CHECK(options_of({"--config", file.c_str()}) == o);
   }
 }
 
 TEST_CASE("the projectile is one of the paper's, scaled with its diameter, unless lengths are given") {
-  const auto shape = [](const std::vector<const char *> &arguments) {
-    return perforate::shape_of(options_of(arguments));
-  };
+  const auto shape = [](const std::vector<const char *> &arguments) { return shot::shape_of(options_of(arguments)); };
   for (const ogive::Nose nose : ogive::all_noses) {
     const std::string name(ogive::name(nose));
     const auto paper = ogive::paper_projectile<double>(nose), own = shape({"--nose", name.c_str()}),
@@ -266,47 +293,104 @@ TEST_CASE("the projectile is one of the paper's, scaled with its diameter, unles
   CHECK(cone.shank_length == Approx(34e-3));
 }
 
-TEST_CASE("help and version stop the run, and help fits a terminal and names every option") {
+namespace {
+
+/// The flags that a help lists, in its order.
+std::vector<std::string> flags_in(const std::string &help) {
+  std::vector<std::string> flags;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  --")) flags.push_back(line.substr(2, line.find_first_of(" \n", 2) - 2));
+  return flags;
+}
+
+bool fits_a_terminal(const std::string &text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.size() > 100) return false;
+  return true;
+}
+
+} // namespace
+
+TEST_CASE("--version ends the run") {
   std::ostringstream version;
   CHECK_FALSE(parse({"--version"}, version));
-  CHECK_THAT(version.str(), Catch::Matchers::StartsWith("perforate 0."));
+  CHECK(version.str() == std::string("ogive shoot ") + ogive::version + "\n");
+}
 
-  std::ostringstream text;
+TEST_CASE("--help is short: one line for each of the options that most users need") {
+  std::ostringstream text, same;
   CHECK_FALSE(parse({"--quiet", "--help"}, text));
-  for (const char *flag : {"--material",
-                           "--model",
-                           "--thickness-mm",
-                           "--nose",
-                           "--velocity-mps",
-                           "--spacing-mm",
-                           "--sph-radius-mm",
-                           "--clamp-radius-mm",
-                           "--friction",
-                           "--end-us",
-                           "--threads",
-                           "--output-every-us",
-                           "--out",
-                           "--config",
-                           "--version",
-                           "--help",
-                           "--kernel",
-                           "--form",
-                           "--projectile",
-                           "--lattice",
-                           "--smoothing",
-                           "--extent",
-                           "--element",
-                           "--pressure",
-                           "--picture",
-                           "--vtk",
-                           "--quiet",
-                           "--damage",
-                           "--failure",
-                           "--restart",
-                           "--checkpoint-every-us"})
-    CHECK(text.str().find(std::string("\n  ") + flag) != std::string::npos);
+  CHECK_FALSE(parse({"-h"}, same));
+  CHECK(text.str() == same.str());
+  std::vector<std::string> expected;
+  for (const options::Option &option : commands::shoot_table().options)
+    if (*option.brief != 0) expected.push_back(options::flag_of(option.key));
+  CHECK(expected.size() >= 10);
+  CHECK(expected.size() <= 16);
+  expected.emplace_back("--help-all");
+  CHECK(flags_in(text.str()) == expected);
+  CHECK_THAT(text.str(), Catch::Matchers::StartsWith("ogive shoot [options]\n"));
+  CHECK(fits_a_terminal(text.str()));
+
+  // Every flag has its text on the same line, and nothing is continued on the next.
   std::istringstream lines(text.str());
-  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+  for (std::string line; std::getline(lines, line) && line != "Examples:";) {
+    if (line.starts_with("  --")) CHECK(line.find_first_not_of(' ', line.find("  ", 4)) < line.size());
+    CHECK_FALSE(line.starts_with("   "));
+  }
+}
+
+TEST_CASE("--help-all has every option, with its source, and fits a terminal") {
+  std::ostringstream text;
+  CHECK_FALSE(parse({"--help-all", "--quiet"}, text));
+  std::vector<std::string> expected;
+  for (const options::Option &option : commands::shoot_table().options) {
+    expected.push_back(options::flag_of(option.key));
+    CHECK(*option.meaning != 0);
+    CHECK(*option.source != 0);
+  }
+  CHECK(expected.size() > 50);
+  expected.insert(expected.end(), {"--config", "--version", "--help", "--help-all"});
+  auto found = flags_in(text.str());
+  CHECK(std::set(found.begin(), found.end()) == std::set(expected.begin(), expected.end()));
+  CHECK(found.size() == expected.size());
+  CHECK(fits_a_terminal(text.str()));
+  for (const char *part : {"; 0.5 to 100 mm", "blunt, conical, ogival, hemispherical", "--no-vtk", "paper, Fig. 11",
+                           "Exit status: 0 done", "\nProjectile:\n"})
+    CHECK_THAT(text.str(), Catch::Matchers::Contains(part));
+}
+
+TEST_CASE("an option that stands twice in the table would hide one") {
+  for (const auto table : {commands::shoot_table, commands::limit_table, commands::sweep_table, commands::mesh_table,
+                           commands::draw_table, commands::calibrate_table, commands::materials_table}) {
+    std::set<std::string> keys;
+    for (const options::Option &option : table().options) CHECK(keys.insert(option.key).second);
+  }
+}
+
+TEST_CASE("the nearest name is found for letters that are swapped, missing, superfluous or wrong, and for units") {
+  const std::vector<std::string> known{"--thickness-mm", "--nose", "--nose-length-mm", "--velocity-mps", "--vtk"};
+  const auto nearest = [&](const char *name) { return options::nearest(name, known); };
+  CHECK(nearest("--thickness-mm") == "--thickness-mm");
+  CHECK(nearest("--thikcness-mm") == "--thickness-mm");
+  CHECK(nearest("--thicknes-mm") == "--thickness-mm");
+  CHECK(nearest("--thicknesss-mm") == "--thickness-mm");
+  CHECK(nearest("--thickmess-mm") == "--thickness-mm");
+  CHECK(nearest("--thickness") == "--thickness-mm");
+  CHECK(nearest("--velocity") == "--velocity-mps");
+  CHECK(nearest("--velocity-ms") == "--velocity-mps");
+  CHECK(nearest("--nsoe") == "--nose");
+  CHECK(nearest("--nose-length") == "--nose-length-mm");
+  CHECK(nearest("--vkt") == "--vtk");
+  CHECK(nearest("--bullets").empty());
+  CHECK(nearest("").empty());
+  CHECK(nearest("--").empty());
+  CHECK(options::nearest("--nose", {}).empty());
+  CHECK(nearest(std::string(5000, 'n').c_str()).empty());
+  CHECK(options::nearest_text("--nsoe", known) == ", the nearest is --nose");
+  CHECK(options::nearest_text("--bullets", known).empty());
 }
 
 TEST_CASE("the output folder is created, and what is in it stays") {

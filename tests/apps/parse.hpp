@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "perforate/options.hpp"
+#include "ogive/commands.hpp"
+#include "shot/plates.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -9,15 +10,17 @@
 #include <vector>
 
 /// The options of a command line without the program's name; nothing if text was asked for.
-inline std::optional<perforate::Options> parse(std::vector<const char *> arguments, std::ostream &text) {
-  arguments.insert(arguments.begin(), "perforate");
-  return perforate::parse(static_cast<int>(arguments.size()), arguments.data(), text);
+inline std::optional<shot::Options> parse(const std::vector<const char *> &arguments, std::ostream &text) {
+  return commands::parse_shoot({arguments.begin(), arguments.end()}, text);
 }
 
-inline perforate::Options options_of(const std::vector<const char *> &arguments) {
+inline shot::Options options_of(const std::vector<const char *> &arguments) {
   std::ostringstream text;
   return parse(arguments, text).value();
 }
+
+/// The metal of the first plate.
+inline materials::AnyMetal plate_of(const shot::Options &options) { return shot::plates_of(options).front(); }
 
 /// The message of the SetupError that `f()` throws; empty if it throws none.
 template <class F> std::string message_of(F &&f) {

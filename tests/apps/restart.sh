@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# restart.sh <perforate> <folder>: interrupts, kills and fills the disk of small shots, lets them go on and compares them
+# restart.sh <ogive> <folder>: interrupts, kills and fills the disk of small shots, lets them go on and compares them
 # with one that nothing stopped: the state to its last bit, all files, the summary but for times. Works in the folder.
 set -euo pipefail
 
-perforate=$1
+ogive=$1
 mkdir -p "$2"
 cd "$2"
 rm -rf ./*
@@ -20,7 +20,7 @@ fail() {
 
 # start <folder> <argument>...: the program in the background, as a terminal would start it
 start() {
-  env --default-signal=INT "$perforate" "${@:2}" > "${1##*/}.out" 2> "${1##*/}.err" &
+  env --default-signal=INT "$ogive" shoot "${@:2}" > "${1##*/}.out" 2> "${1##*/}.err" &
   child=$!
 }
 
@@ -68,7 +68,7 @@ require_same() {
   [ -z "$(find "$1" -name '*.part')" ] || fail "$1: half a file is left"
 }
 
-"$perforate" "${shot[@]}" --threads 2 --out whole > whole.out
+"$ogive" shoot "${shot[@]}" --threads 2 --out whole > whole.out
 rows=$(wc -l < whole/history.csv)
 [ "$rows" -gt 50 ] || fail "the shot is too short: $rows rows"
 [ ! -e whole/checkpoint.bin ] || fail "a checkpoint without need"
@@ -81,12 +81,10 @@ for signal in INT TERM; do
   stop_with "$signal" "$([ "$signal" = INT ] && echo 130 || echo 143)" "$out"
   require_readable "$out"
   [ ! -e "$out/summary.json" ] || fail "$out: a summary of a run that has not ended"
-  grep -q "^perforate: interrupted by SIG$signal at " "$out.err" || fail "$out: $(cat "$out.err")"
+  grep -q "^ogive shoot: interrupted by SIG$signal at " "$out.err" || fail "$out: $(cat "$out.err")"
   command=$(sed -n 's/^  //p' "$out.err")
-  case $command in
-    *" --restart $out/checkpoint.bin") ;;
-    *) fail "$out: no command: $(cat "$out.err")" ;;
-  esac
+  [ "$command" = "$(realpath "$ogive") shoot --restart $out/checkpoint.bin" ] ||
+    fail "$out: no command: $(cat "$out.err")"
   # The last frame is one more than those of the regular times. Times in the series have eight digits.
   last=$(sed -n 's/.*timestep="\([^"]*\)".*/\1/p' "$out/perforation.pvd" | tail -n 1)
   awk -v last="$last" -F, 'END { exit !($1 <= last + 1e-5) }' "$out/history.csv" || fail "$out: no last frame"
@@ -103,13 +101,13 @@ wait_for_rows by_INT2 25 || true
 stop_with INT 130 by_INT2
 mkdir elsewhere
 cp by_INT2/checkpoint.bin elsewhere/
-(cd elsewhere && "$perforate" --restart checkpoint.bin --threads 4 --no-vtk > ../elsewhere.out)
+(cd elsewhere && "$ogive" shoot --restart checkpoint.bin --threads 4 --no-vtk > ../elsewhere.out)
 cmp whole/history.csv elsewhere/history.csv || fail "elsewhere: another history"
 diff <(results whole) <(results elsewhere) >&2 || fail "elsewhere: another summary"
-"$perforate" --restart by_INT2/checkpoint.bin --out new_folder > new_folder.out
+"$ogive" shoot --restart by_INT2/checkpoint.bin --out new_folder > new_folder.out
 cmp whole/history.csv new_folder/history.csv || fail "new_folder: another history"
 diff <(results whole) <(results new_folder) >&2 || fail "new_folder: another summary"
-"$perforate" --restart by_INT2/checkpoint.bin > by_INT2.out
+"$ogive" shoot --restart by_INT2/checkpoint.bin > by_INT2.out
 require_same by_INT2
 
 echo "The same signal many times at once, as from a batch system: a checkpoint all the same"
@@ -129,7 +127,7 @@ done
 # A run that begins puts the checkpoint aside.
 [ ! -e resumed/checkpoint_before.bin ] || fail "resumed: from the beginning"
 for times in 1 2; do
-  "$perforate" "${shot[@]}" --threads 1 --out resumed --resume > resumed.out
+  "$ogive" shoot "${shot[@]}" --threads 1 --out resumed --resume > resumed.out
   require_same resumed
 done
 
@@ -142,7 +140,7 @@ start killed --restart killed/checkpoint.bin
 wait_for_rows killed 40 || true
 stop_with KILL 137 killed
 require_readable killed
-"$perforate" --restart killed/checkpoint.bin --threads 1 > killed.out
+"$ogive" shoot --restart killed/checkpoint.bin --threads 1 > killed.out
 require_same killed
 
 echo "kill -9 at any moment"
@@ -162,13 +160,13 @@ wait "$child" || fail "any: $(cat any.err)"
 require_same any
 
 echo "a later end"
-"$perforate" "${shot[@]}" --end-us 11 --checkpoint-every-us 100 --out later > later.out
-"$perforate" --restart later/checkpoint.bin --end-us 30 > later.out
+"$ogive" shoot "${shot[@]}" --end-us 11 --checkpoint-every-us 100 --out later > later.out
+"$ogive" shoot --restart later/checkpoint.bin --end-us 30 > later.out
 require_same later
 
 echo "a new run in the folder keeps the checkpoint of the old one under another name"
 cp -r later again
-"$perforate" "${shot[@]}" --end-us 2 --out again > again.out
+"$ogive" shoot "${shot[@]}" --end-us 2 --out again > again.out
 cmp later/checkpoint.bin again/checkpoint_before.bin || fail "the old checkpoint has gone"
 [ ! -e again/checkpoint.bin ] || fail "the old checkpoint has the name of a new one"
 
@@ -181,14 +179,14 @@ status=0
 (
   trap '' XFSZ
   ulimit -f 40 # the frames fit, a checkpoint does not
-  exec "$perforate" --restart full/checkpoint.bin
+  exec "$ogive" shoot --restart full/checkpoint.bin
 ) > full.out 2> full.err || status=$?
 [ "$status" -eq 3 ] || fail "full: status $status: $(cat full.err)"
-grep -q "^perforate: error: cannot write full/.*: File too large$" full.err || fail "full: $(cat full.err)"
+grep -q "^ogive shoot: error: cannot write full/.*: File too large$" full.err || fail "full: $(cat full.err)"
 grep -q -- "--restart full/checkpoint.bin$" full.err || fail "full: no command: $(cat full.err)"
 cmp before.bin full/checkpoint.bin || fail "full: another checkpoint"
 require_readable full
-"$perforate" --restart full/checkpoint.bin > full.out
+"$ogive" shoot --restart full/checkpoint.bin > full.out
 require_same full
 
 mkdir disk
@@ -200,10 +198,10 @@ if mount -t tmpfs -o size=40m tmpfs disk 2> /dev/null; then
   status=0
   wait "$child" || status=$?
   [ "$status" -eq 3 ] || fail "disk: status $status: $(cat full.err)"
-  grep -q "^perforate: error: cannot write disk/full/.*: No space left on device$" full.err || fail "disk: $(cat full.err)"
+  grep -q "^ogive shoot: error: cannot write disk/full/.*: No space left on device$" full.err || fail "disk: $(cat full.err)"
   require_readable disk/full
   rm disk/filler
-  "$perforate" --restart disk/full/checkpoint.bin > disk.out
+  "$ogive" shoot --restart disk/full/checkpoint.bin > disk.out
   require_same disk/full
   umount disk
 else

@@ -5,22 +5,22 @@
 
 #include "ogive/io/archive.hpp"
 #include "ogive/io/checkpoint_file.hpp"
-#include "perforate/options_material.hpp"
-#include "perforate/saved_case.hpp"
+#include "shot/plates.hpp"
+#include "shot/saved_case.hpp"
 
 #include <random>
 
-using perforate::Options;
-using perforate::SavedCase;
+using shot::Options;
+using shot::SavedCase;
 
 namespace {
 
 /// Writes a checkpoint of these options without a state, and returns its name.
 std::string write_checkpoint_of(const std::filesystem::path &folder, const Options &options,
-                                const std::string &program = "perforate") {
+                                const std::string &program = "ogive shoot") {
   ogive::ArchiveWriter notes;
-  notes(SavedCase{program, "0.1.0", perforate::to_complete_toml(options),
-                  perforate::metals_text(options, perforate::plates_of(options)), 12.5});
+  notes(SavedCase{program, "0.1.0", shot::to_complete_toml(options),
+                  shot::metals_text(options, shot::plates_of(options)), 12.5});
   const auto file = folder / "checkpoint.bin";
   ogive::write_checkpoint_file(file, 8, notes.bytes, {});
   return file.string();
@@ -71,8 +71,10 @@ TEST_CASE("what leaves the physics as it is may be changed, nothing else") {
   CHECK_FALSE(o.picture);
   CHECK(o.quiet);
   CHECK(o.threads == 2);
-  for (const std::vector<const char *> &given : std::vector<std::vector<const char *>>{
-           {"--thickness-mm", "8"}, {"--velocity-mps", "303.5"}, {"--material", "list2"}, {"--spacing-mm", "1"}}) {
+  for (const std::vector<const char *> &given : std::vector<std::vector<const char *>>{{"--thickness-mm", "8"},
+                                                                                       {"--velocity-mps", "303.5"},
+                                                                                       {"--material", "aa5083_h116"},
+                                                                                       {"--spacing-mm", "1"}}) {
     std::vector<const char *> arguments{"--restart", file.c_str()};
     arguments.insert(arguments.end(), given.begin(), given.end());
     CHECK(refusal(arguments) == std::string(given[0]) + " = " + given[1] +
@@ -88,22 +90,22 @@ TEST_CASE("what leaves the physics as it is may be changed, nothing else") {
 TEST_CASE("a metal from a file travels in the checkpoint") {
   const TemporaryFolder folder;
   const std::string steel = (folder.path / "my steel.toml").string();
-  write(steel, material_file::to_toml(perforate::read_metal(Options{}, ""), ""));
+  write(steel, materials::to_toml(plate_of(Options{}), ""));
   const Options o = options_of({"--material", steel.c_str()});
   const std::string file = write_checkpoint_of(folder.path, o);
-  const auto before = material_file::to_toml(perforate::plate_of(o), "");
+  const auto before = materials::to_toml(plate_of(o), "");
   std::filesystem::remove(steel);
   const Options restarted = options_of({"--restart", file.c_str()});
   CHECK(restarted.material == steel);
-  CHECK(material_file::to_toml(perforate::plate_of(restarted), "") == before);
+  CHECK(materials::to_toml(plate_of(restarted), "") == before);
 }
 
 TEST_CASE("checkpoints of others and damaged ones are refused with one line") {
   const TemporaryFolder folder;
   const std::string file = write_checkpoint_of(folder.path, Options{}, "another");
-  CHECK(refusal({"--restart", file.c_str()}) == "checkpoint = " + file + ": was not written by perforate");
+  CHECK(refusal({"--restart", file.c_str()}) == "checkpoint = " + file + ": was not written by ogive shoot");
   ogive::write_checkpoint_file(file, 8, "notes", {});
-  CHECK(refusal({"--restart", file.c_str()}) == "checkpoint = " + file + ": was not written by perforate");
+  CHECK(refusal({"--restart", file.c_str()}) == "checkpoint = " + file + ": was not written by ogive shoot");
 
   write_checkpoint_of(folder.path, Options{});
   const std::string good = ogive::read_checkpoint_notes(file);
@@ -160,7 +162,7 @@ TEST_CASE("a run that takes up another does so if that is the same case and has 
 TEST_CASE("a run does not take up one with other constants of the metal") {
   const TemporaryFolder folder;
   const std::string steel = (folder.path / "steel.toml").string(), out = folder.path.string();
-  const std::string text = material_file::to_toml(perforate::read_metal(Options{}, ""), "");
+  const std::string text = materials::to_toml(plate_of(Options{}), "");
   write(steel, text);
   write_checkpoint_of(folder.path, options_of({"--material", steel.c_str(), "--out", out.c_str()}));
   const std::vector<const char *> resume{"--material", steel.c_str(), "--out", out.c_str(), "--resume"};

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# settle.sh <perforate> <folder>: a plate that holds is watched while it swings; the shot itself stays as it was, and a
+# settle.sh <ogive> <folder>: a plate that holds is watched while it swings; the shot itself stays as it was, and a
 # restart in that time ends with the same mean. Works in the folder.
 set -euo pipefail
 
-perforate=$1
+ogive=$1
 mkdir -p "$2"
 cd "$2"
 rm -rf ./*
@@ -19,9 +19,9 @@ number() { # folder key: its value in the summary
 
 case=(--spacing-mm 2 --sph-radius-mm 15 --clamp-radius-mm 30 --thickness-mm 4 --projectile rigid --velocity-mps 60
   --no-picture --no-vtk --quiet)
-"$perforate" "${case[@]}" --out plain > /dev/null
-"$perforate" "${case[@]}" --settle-us 300 --checkpoint-every-us 90 --out held > held.out
-"$perforate" --restart held/checkpoint.bin --out again --quiet > /dev/null
+"$ogive" shoot "${case[@]}" --out plain > /dev/null
+"$ogive" shoot "${case[@]}" --settle-us 300 --checkpoint-every-us 90 --out held > held.out
+"$ogive" shoot --restart held/checkpoint.bin --out again --quiet > /dev/null
 
 [ -z "$(number plain dishing_at_rest_mm)" ] || fail "a mean without --settle-us"
 grep -q '^  dishing  *[0-9.]* mm at rest, mean over 30[0-9] us$' held.out || fail "not told: $(cat held.out)"

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perforate/options.hpp"
-#include "perforate/options_table.hpp"
+#include "options/toml_file.hpp"
+#include "shot/options.hpp"
+#include "shot/table.hpp"
 
 #include "fuzz/memory_file.hpp"
 #include "fuzz/must.hpp"
 #include "fuzz/target.hpp"
 
-#include <array>
-#include <sstream>
-
 namespace {
 
 /// The options in a case file.
-perforate::Options read(fuzz::MemoryFile &file, std::string_view text) {
+shot::Options read(fuzz::MemoryFile &file, std::string_view text) {
   file.write(text);
-  const std::array arguments{"perforate", "--config", file.path.c_str()};
-  std::ostringstream ignored;
-  return perforate::parse(static_cast<int>(arguments.size()), arguments.data(), ignored).value();
+  options::CommandLine line;
+  line.config = file.path;
+  return shot::settled(shot::levels_of(line));
 }
 
 } // namespace
@@ -24,12 +22,12 @@ perforate::Options read(fuzz::MemoryFile &file, std::string_view text) {
 /// A case file; one that is read is written and read again.
 void fuzz::try_input(std::string_view bytes) {
   static MemoryFile file;
-  perforate::Options options;
+  shot::Options options;
   try {
-    perforate::entries_of(bytes, "case.toml"); // what is no TOML ends here, before the slow command line
+    options::toml_entries(bytes, "case.toml", shot::toml_example); // what is no TOML ends here, before the table
     options = read(file, bytes);
   } catch (const ogive::SetupError &) {
     return;
   }
-  must(read(file, perforate::to_toml(options)) == options, "options that were written read back as the same");
+  must(read(file, shot::to_toml(options)) == options, "options that were written read back as the same");
 }

@@ -2,7 +2,7 @@
 #include "fuzz/memory_file.hpp"
 #include "fuzz/struck_brick.hpp"
 #include "fuzz/target.hpp"
-#include "perforate/saved_case.hpp"
+#include "shot/saved_case.hpp"
 
 /// A checkpoint file as it is: almost all damage ends at its checksums.
 void fuzz::try_input(std::string_view bytes) {
@@ -10,7 +10,7 @@ void fuzz::try_input(std::string_view bytes) {
   static const auto reference = struck_brick();
   file.write(bytes);
   try {
-    perforate::read_saved_case(file.path);
+    shot::read_saved_case(file.path);
   } catch (const ogive::SetupError &) {
   }
   try {

@@ -1,10 +1,10 @@
 # Readers tried with any bytes. Each target is a program with replay.cpp, which tries the seeds as a test, or with
 # libFuzzer where OGIVE_FUZZ is on; tests/fuzz/fuzz.sh runs those.
 set(fuzz_targets curve_table)
-if(TARGET perforate_options)
+if(TARGET ogive_shot)
   list(APPEND fuzz_targets case_file material_file checkpoint_file checkpoint_notes checkpoint_state)
 else()
-  message(STATUS "Most of tests/fuzz is left out: perforate_options is not built")
+  message(STATUS "Most of tests/fuzz is left out: ogive_shot is not built")
 endif()
 if(OGIVE_FUZZ AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   message(FATAL_ERROR "OGIVE_FUZZ = ON: needs Clang, which brings libFuzzer; cmake --preset fuzz")
@@ -17,7 +17,7 @@ foreach(name IN LISTS fuzz_targets)
   if(OGIVE_FUZZ)
     set(runner fuzz)
   endif()
-  ogive_program(${target} SOURCES fuzz/${name}.cpp fuzz/${runner}.cpp LIBRARIES $<TARGET_NAME_IF_EXISTS:perforate_options>)
+  ogive_program(${target} SOURCES fuzz/${name}.cpp fuzz/${runner}.cpp LIBRARIES $<TARGET_NAME_IF_EXISTS:ogive_shot>)
   target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
   add_dependencies(fuzz_targets ${target})
   # libFuzzer looks into what is compiled with the target.

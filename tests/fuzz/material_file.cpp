@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shared/material_file.hpp"
+#include "materials/material_file.hpp"
 
 #include "fuzz/must.hpp"
 #include "fuzz/target.hpp"
@@ -12,10 +12,10 @@
 void fuzz::try_input(std::string_view bytes) {
   std::string text;
   try {
-    text = material_file::to_toml(material_file::parse(bytes, "material.toml"), "");
+    text = materials::to_toml(materials::parse(bytes, "material.toml"), "");
   } catch (const ogive::SetupError &) {
     return;
   }
-  must(material_file::to_toml(material_file::parse(text, "material.toml"), "") == text,
+  must(materials::to_toml(materials::parse(text, "material.toml"), "") == text,
        "a metal that was written reads back as the same");
 }

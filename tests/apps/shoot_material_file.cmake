@@ -1,14 +1,14 @@
 # Shoots for a microsecond at a plate of the library, at one of its material.toml, and by case.toml again: all must end in
-# the same state, and a material file that a run reads must stay as it is. Needs -D PERFORATE=<the program>.
+# the same state, and a material file that a run reads must stay as it is. Needs -D OGIVE=<the program>.
 
-set(folder "${CMAKE_CURRENT_BINARY_DIR}/perforate_material_file")
+set(folder "${CMAKE_CURRENT_BINARY_DIR}/shoot_material_file")
 file(REMOVE_RECURSE "${folder}")
 file(MAKE_DIRECTORY "${folder}/elsewhere")
 
 # shoot(<folder to be in> <folder for the results, from ${folder}> <arguments>...) sets state.
 function(shoot from out)
   execute_process(
-    COMMAND "${PERFORATE}" --quiet ${ARGN}
+    COMMAND "${OGIVE}" shoot --quiet ${ARGN}
     WORKING_DIRECTORY "${from}"
     TIMEOUT 120
     RESULT_VARIABLE status
