@@ -19,11 +19,23 @@ write_basic_package_version_file(ogive-config-version.cmake COMPATIBILITY SameMi
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ogive-config.cmake" "${CMAKE_CURRENT_BINARY_DIR}/ogive-config-version.cmake"
         DESTINATION "${package_dir}")
 
-if(TARGET perforate)
-  install(TARGETS perforate RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+if(TARGET ogive_main)
+  install(TARGETS ogive_main steel_blunt nose_shapes aluminium_conical RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  # The program writes its own completion for bash; one that is compiled for another machine cannot run here.
+  if(NOT CMAKE_CROSSCOMPILING)
+    set(completion "${CMAKE_CURRENT_BINARY_DIR}/completion/ogive")
+    file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/completion")
+    add_custom_command(
+      OUTPUT "${completion}"
+      COMMAND ogive_main completion > "${completion}"
+      DEPENDS ogive_main
+      VERBATIM)
+    add_custom_target(ogive_completion ALL DEPENDS "${completion}")
+    install(FILES "${completion}" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
+  endif()
 endif()
 
-# Where perforate looks for the tests that a shot is compared with.
+# Where the programs look for the tests that shots are compared with, and for the lists of the figures.
 file(GLOB tables apps/data/*.csv)
 install(FILES ${tables} apps/data/README.md DESTINATION "${CMAKE_INSTALL_DATADIR}/ogive/data")
 

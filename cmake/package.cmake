@@ -14,10 +14,11 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Header-only C++20 library and programs that predict how a projectile
 perforates a metal plate: particles (SPH) where the plate is destroyed,
 hexahedra elsewhere, a modified Johnson-Cook law for the metal.")
-# The programs' libraries are found with dpkg-shlibdeps. The headers need Eigen; those of ogive::vtk need VTK's own,
-# which a user without pictures can do without.
+# dpkg-shlibdeps finds the libraries of the programs: VTK, OpenMP and EGL (libegl1, which brings Mesa). The headers need
+# Eigen; only those of ogive::vtk need the headers of VTK. Curves are drawn by gnuplot, sections by a driver of Mesa;
+# shots run without either.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ (>= 4:12), gnuplot-nox | gnuplot, libgl1-mesa-dri")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, cmake (>= 3.25), paraview")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, libvtk9-dev, cmake (>= 3.25), paraview")
 include(CPack)

@@ -12,11 +12,22 @@ target_compile_options(
             # GCC 12 warns of its own AVX-512 intrinsics (GCC bug 105593).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+            # Memory is there to be used: GCC collects it less often than it would with its precompiled headers.
+            $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>
             $<$<BOOL:${OGIVE_WARNINGS_AS_ERRORS}>:-Wpedantic;-Wshadow;-Wconversion;-Werror>
             # Indices have a sign. GCC counts that apart from -Wconversion.
             $<$<AND:$<BOOL:${OGIVE_WARNINGS_AS_ERRORS}>,$<CXX_COMPILER_ID:Clang>>:-Wno-sign-conversion>
             $<$<BOOL:${OGIVE_NATIVE}>:-march=native>
             $<$<BOOL:${OGIVE_VECTOR_WIDTH}>:-mprefer-vector-width=${OGIVE_VECTOR_WIDTH}>)
+
+# Objects that were compiled before are taken from ccache where that is installed.
+find_program(ccache NAMES ccache)
+mark_as_advanced(ccache)
+if(ccache AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${ccache})
+  # What a precompiled header was made of counts, which GCC says with this flag only.
+  target_compile_options(ogive_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+endif()
 
 # ogive_program(<target> SOURCES <file>... LIBRARIES <target>...) adds an executable with those flags.
 function(ogive_program target)

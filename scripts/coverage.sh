@@ -16,7 +16,7 @@ cmake --preset coverage >/dev/null
 cmake --build --preset coverage >&2
 find "$build" -name '*.gcda' -delete
 # Threads that count in the same line of the cache wait for each other; tests of threads ask for their number.
-OMP_NUM_THREADS=1 "$root/scripts/ctest --preset coverage "$@" >&2
+OMP_NUM_THREADS=1 ctest --preset coverage "$@" >&2
 
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT

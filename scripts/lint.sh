@@ -31,7 +31,7 @@ if [ "${#headers[@]}" -gt 0 ]; then
   printf '#include "%s"\n' "${headers[@]}" >"$all"
   vtk=$(find /usr/include -maxdepth 1 -name 'vtk-*' | sed 's/^/-isystem /')
   # shellcheck disable=SC2086 # several words
-  tidy "$all" -- -std=c++20 -fopenmp -I"$root/include" -I"$root/apps" -I"$root/apps/perforate" -I"$root/tests" \
+  tidy "$all" -- -std=c++20 -fopenmp -I"$root/include" -I"$root/apps" -I"$root/tests" \
     -I"$root/tests/fem" -isystem /usr/include/eigen3 $vtk || status=1
 fi
 if [ "${#sources[@]}" -gt 0 ]; then

@@ -8,4 +8,4 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 cd "$root"
 # As the programs do for themselves.
 export GOMP_SPINCOUNT="${GOMP_SPINCOUNT:-3000}"
-exec ctest --preset release "$@"
+exec ctest --preset release --parallel "$(nproc)" "$@"

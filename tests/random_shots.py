@@ -112,7 +112,7 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "vtk_out/random_shots")
     options = parser.parse_args()
     if not options.program.is_file():
-        parser.error(f"--program = {options.program}: there is no such program; scripts/build.sh ogive")
+        parser.error(f"--program = {options.program}: there is no such program; scripts/build.sh ogive_main")
     draw = random.Random(options.seed)
     cases = [random_case(draw) for _ in range(options.count)]
     with ThreadPoolExecutor(options.jobs) as pool:

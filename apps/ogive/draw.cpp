@@ -338,6 +338,11 @@ const options::Command command{
 
 } // namespace
 
+options::Table draw_table() {
+  Options o;
+  return table_of(o);
+}
+
 int draw(const options::Arguments &arguments) {
   Options o;
   const Table table = table_of(o);

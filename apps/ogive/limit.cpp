@@ -5,7 +5,6 @@
 
 #include "shot/defaults.hpp"
 #include "shot/table.hpp"
-#include "study/cases.hpp"
 #include "study/finish.hpp"
 #include "study/plots.hpp"
 
@@ -26,12 +25,17 @@ constexpr std::array<double, 4> shown_velocities{1.1, 1.25, 1.5, 2.0};
 
 struct LimitOptions {
   double width_mps = 5; ///< of the bracket
-  study::StudyOptions study{.jobs = 1};
+  bool run = true;
 };
 
 options::Table table_of(shot::Options &o, LimitOptions &l) {
   options::Table t = shot::table_of(o);
-  study::add_study_options(t, l.study);
+  t.group = "Search";
+  options::add(t, l.run,
+               {.key = "run",
+                .meaning = "run what is missing; --no-run reports only what is known",
+                .source = "yes: ours",
+                .in_file = false});
   options::add(t, l.width_mps,
                {.key = "width_mps",
                 .meaning = "difference of the velocities between which the limit is to lie",
@@ -85,7 +89,7 @@ void finish(const study::Series &series, const study::Series &tested, const std:
   if (const auto test = tested.published.test_limit_mps) std::printf("  %-22s %.1f m/s\n", "limit of the tests", *test);
   ogive::write_atomically(out / "limits.csv", study::limits_csv({*row}, {}));
   try {
-    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {tested}, rows, {}, out);
+    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {tested}, rows, {}, out, true);
     std::printf("  %-22s %s\n", "plot", (out / "limit.svg").c_str());
   } catch (const ogive::WriteError &error) {
     std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
@@ -134,8 +138,7 @@ int limit(const options::Arguments &arguments) {
     any.velocity_mps = -1;
     o.out = shot::default_out(any).string() + "_limit";
   }
-  const study::Study study = study::study_of(l.study, o.out);
-  if (study.shards > 1) options::refuse("--shard", l.study.shard, "must be 1/1: one limit has no parts");
+  const study::Study study{.out = o.out, .threads = o.threads};
   const study::Series tested = study::series_of(study::case_of(o, {}, ""));
   study::Series series = tested;
   series.published = {};
@@ -152,9 +155,9 @@ int limit(const options::Arguments &arguments) {
       add(all, study::run_cases(study, curve_above(series, *limit), report));
     return all;
   };
-  return study::run_study("ogive limit", study, l.study.run, run, [&] {
+  return study::run_study("ogive limit", study, l.run, run, [&] {
     if (!complete) return;
-    if (!l.study.run) print_bisection(limit_of(series, study::read_all_rows(o.out, {})));
+    if (!l.run) print_bisection(limit_of(series, study::read_all_rows(o.out, {})));
     finish(series, tested, o.out);
   });
 }

@@ -144,7 +144,8 @@ std::string help(const Command &command, const Table &table, bool all) {
       text +=
           help_item(placed(option), option.meaning + option.range + (fallback.empty() ? "" : " [" + fallback + "]"));
     } else {
-      const std::string first = fallback.substr(0, fallback.find(':'));
+      // A folder follows from the case.
+      const std::string first = option.kind == Kind::file ? "" : fallback.substr(0, fallback.find(':'));
       text += help_item(placed(option), option.brief + (first.empty() || first == "none" ? "" : " [" + first + "]"));
     }
   }

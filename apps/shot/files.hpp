@@ -6,7 +6,7 @@
 #include "ogive/io/checkpoint_file.hpp"
 #include "ogive/io/csv.hpp"
 #include "ogive/io/frame.hpp"
-#include "ogive/io/vtk_resume.hpp"
+#include "ogive/io/vtk.hpp"
 
 namespace shot {
 

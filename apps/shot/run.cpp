@@ -3,6 +3,7 @@
 
 #include "materials/library.hpp"
 #include "ogive/io/write_error.hpp"
+#include "options/folder_lock.hpp"
 #include "options/out_folder.hpp"
 #include "plates.hpp"
 #include "report.hpp"
@@ -72,6 +73,8 @@ Outcome run(const Options &o, Output output) {
   prepare_out(o);
   if (o.threads) omp_set_num_threads(*o.threads);
 
+  const options::FolderLock lock(o.out / ".lock", options::FolderLock::exclusive,
+                                 "another run writes its results there; wait for its end, or give another folder");
   const bool prints = output == Output::all;
   const auto test = find_test(o);
   Outcome outcome;

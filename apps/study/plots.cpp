@@ -95,13 +95,12 @@ Points measured_shots(const Plate &plate) {
   return points;
 }
 
-/// The Recht-Ipson curve through a measured limit, up to 420 m/s.
-Points test_curve(const Published &published) {
-  const ogive::BallisticCurve<double> curve{published.a, published.p, *published.test_limit_mps};
+/// Residual against initial velocity by a curve, up to `fastest` m/s.
+Points points_of(const ogive::BallisticCurve<double> &curve, double fastest) {
   Points points;
   // Closely spaced where the curve rises steeply.
   for (double s = 0; s <= 1.0001; s += 0.02) {
-    const double v = curve.limit + (420 - curve.limit) * s * s;
+    const double v = curve.limit + (fastest - curve.limit) * s * s;
     points.emplace_back(v, residual_velocity(curve, v));
   }
   return points;
@@ -144,22 +143,24 @@ std::size_t abscissa_of(const std::vector<LimitRow> &limits) {
 } // namespace
 
 bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const std::vector<Row> &rows,
-                    const std::vector<std::string> &own, const fs::path &out) {
+                    const std::vector<std::string> &own, const fs::path &out, bool with_fit) {
   std::map<Plate, std::vector<const Series *>> panels;
-  double fastest = 300;
+  double slowest = 1e9, fastest = 300;
   for (const Series &one : series)
     if (const auto points = residuals(one.key, rows); !points.empty()) {
       panels[plate_of(one.key)].push_back(&one);
-      fastest = std::max({fastest, points.back().first, points.back().second});
+      slowest = std::min(slowest, points.front().first);
+      fastest = std::max(fastest, points.back().first);
     }
   if (panels.empty()) return false;
   const int columns = panels.size() > 4 ? 3 : panels.size() > 3 ? 2 : static_cast<int>(panels.size());
   const int lines = (static_cast<int>(panels.size()) + columns - 1) / columns;
-  std::string commands = "set multiplot layout " + std::to_string(lines) + "," + std::to_string(columns) + " title " +
-                         gnuplot_quoted(plot.title) +
-                         "; set key left top reverse Left samplen 2 font ',12'; set xrange [" +
-                         std::string(fastest > 420 ? "*:*" : "100:420") +
-                         "]; set yrange [0:" + (fastest > 420 ? "*" : "400") + "]; set grid; ";
+  // The axes of the paper, where they hold all points.
+  const bool is_usual = slowest >= 100 && fastest <= 420;
+  std::string commands =
+      "set multiplot layout " + std::to_string(lines) + "," + std::to_string(columns) + " title " +
+      gnuplot_quoted(plot.title) + "; set key left top reverse Left samplen 2 font ',12'; set xrange [" +
+      std::string(is_usual ? "100:420" : "*:*") + "]; set yrange [0:" + (is_usual ? "400" : "*") + "]; set grid; ";
   int panel = 0;
   for (const auto &[plate, members] : panels) {
     const fs::path base = out / "plot_data" / (plot.name + "_" + std::to_string(++panel));
@@ -169,7 +170,9 @@ bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const s
     const auto tested = std::find_if(members.begin(), members.end(),
                                      [](const Series *one) { return one->published.test_limit_mps.has_value(); });
     if (tested != members.end()) {
-      add(curve(written(test_curve((*tested)->published), file("test_curve")),
+      const Published &published = (*tested)->published;
+      add(curve(written(points_of({published.a, published.p, *published.test_limit_mps}, std::max(420.0, fastest)),
+                        file("test_curve")),
                 {"Recht-Ipson, measured limit", "with lines linecolor rgb '#707070' dashtype 2 linewidth 1.5"}));
       if (const auto shots = measured_shots(plate); !shots.empty())
         add(curve(written(shots, file("tests")), {"test", measured_style}));
@@ -178,7 +181,12 @@ bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const s
       const Key &key = members[k]->key;
       const std::string what =
           key.values[method_column] + "_" + key.values[model_column] + (own.empty() ? "" : "_" + std::to_string(k + 1));
-      add(curve(written(residuals(key, rows), file(what)), look_of(key, own, k)));
+      const Look look = look_of(key, own, k);
+      add(curve(written(residuals(key, rows), file(what)), look));
+      if (const auto limits = with_fit ? limits_in({*members[k]}, rows) : std::vector<LimitRow>{};
+          !limits.empty() && limits.front().fit)
+        add(curve(written(points_of(limits.front().fit->curve, fastest * 1.02), file(what + "_fit")),
+                  {"fit", "with lines linecolor rgb '" + look.colour + "' dashtype 3 linewidth 1.5"}));
     }
     commands += axes("initial velocity, m/s", "residual velocity, m/s", title) + curves + "; ";
   }

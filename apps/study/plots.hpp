@@ -14,10 +14,11 @@ struct Plot {
   std::string title;
 };
 
-/// Residual against initial velocity, a panel for each plate and nose, with the tests where there are any. False if no
-/// shot is known. Throws WriteError.
+/// Residual against initial velocity, a panel for each plate and nose, with the tests where there are any and, where
+/// `with_fit`, the curve that fits each series. False if no shot is known. Throws WriteError.
 bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const std::vector<Row> &rows,
-                    const std::vector<std::string> &own_columns, const std::filesystem::path &out);
+                    const std::vector<std::string> &own_columns, const std::filesystem::path &out,
+                    bool with_fit = false);
 
 /// Limits against thickness, or against the first other number that varies, each with a bar over what lies between the
 /// shots that bracket it. False if no limit is known. Throws WriteError.

@@ -65,6 +65,15 @@ class Campaign:
         except (OSError, subprocess.CalledProcessError) as error:
             self.failed.append(f"figures 1 to 3 ({error})")
 
+    def draw_model(self):
+        """Fig. 5: the model of the 12 mm plate before the shot."""
+        model = self.figures / "model"
+        if (self.figures / "figure_5.png").exists():
+            return
+        self.attempt("figure 5", self.programs / "ogive", "mesh", "--thickness-mm", 12, "--spacing-mm", self.spacing,
+                     "--out", model, stdout=subprocess.DEVNULL)
+        self.draw(5, [], "--mesh", model)
+
     def draw(self, number, shots, *options):
         """Draws a figure unless it is newer than the series."""
         picture = self.figures / f"figure_{number}.png"
@@ -72,8 +81,7 @@ class Campaign:
             return
         self.figures.mkdir(parents=True, exist_ok=True)
         series = ["--series", *(shot.folder for shot in shots)] if shots else []
-        self.attempt(picture, self.programs / "ogive", "draw", *series, *options, "--out",
-                     picture)
+        self.attempt(picture, self.programs / "ogive", "draw", *series, *options, "--out", picture)
         if picture.exists():
             print(f"figure: {picture}")
 
@@ -127,7 +135,7 @@ def make_figures(quick, page_only, published, method, jobs):
         campaign.attempt(name, programs / name, *options, stdout=subprocess.DEVNULL if page_only else None)
     campaign.fit(page_only)
     campaign.draw(4, [], "--projectiles")
-    campaign.draw(5, [], "--mesh", "--thickness-mm", 12, "--spacing-mm", campaign.spacing, "--nose", "blunt")
+    campaign.draw_model()
     for name in METHODS:
         if name == "sfm" or any(figures.glob(f"shots/{name}_*")):
             campaign.pictures(name)

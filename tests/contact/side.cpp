@@ -2,7 +2,7 @@
 #include "box.hpp"
 #include "catch.hpp"
 
-#include "ogive/mesh/exposed_facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "box.hpp"
 #include "catch.hpp"
 
-#include "ogive/mesh/mirror.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 
 using namespace contact_test;
 using fem_test::brick, fem_test::Noise;

@@ -3,7 +3,7 @@
 
 #include "brick.hpp"
 #include "catch.hpp"
-#include "ogive/mesh/hex_locate.hpp"
+#include "ogive/mesh/hex_geometry.hpp"
 
 using namespace fem_test;
 

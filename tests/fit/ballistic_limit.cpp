@@ -326,7 +326,7 @@ TEST_CASE("bounds are told") {
 }
 
 TEST_CASE("a straight line through shots far above the limit is no place to look for it") {
-  // 20 mm of steel, `perforate --method stabilised`: its limit is 280 m/s by bisection.
+  // 20 mm of steel, `ogive limit --method stabilised`: its limit is 280 m/s by bisection.
   Shots shots{{310, 95.5}, {320, 110.5}, {335, 126.3}, {350, 139.3}, {365, 158.9}, {380, 180.1}, {400, 199.2}};
   const auto line = fitted_curve(shots);
   REQUIRE(line.curve.p == 1);

@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 
-#include "ogive/fit/misfit.hpp"
+#include "ogive/fit/calibration.hpp"
 #include "ogive/fit/simultaneous.hpp"
 #include "ogive/fit/strain_bins.hpp"
 
@@ -209,23 +209,24 @@ TEST_CASE("a curve that is too low bends least squares and leaves the robust fit
   CHECK(robust.C == Approx(0.01).epsilon(0.05));
 }
 
-TEST_CASE("what is missing is named with the option that helps") {
+TEST_CASE("what is missing is named with what helps") {
   LawCurves<ModifiedJohnsonCook<double>> tests{modified};
   const auto choice = steel_choice(FlowForm::modified);
   tests.add(1e-3, 500, 0.2);
   CHECK_THROWS_WITH(sorted_series(tests.curves, steel_settings()),
-                    Catch::StartsWith("curves within 10 K of room temperature = 0") && Catch::Contains("room temperature is 293 K"));
+                    Catch::StartsWith("curves within 10 K of room temperature = 0") &&
+                        Catch::Contains("room temperature is 293 K"));
   tests.add(1e-3, 293, 0.2);
   CHECK_THROWS_WITH(
       calibrated(sorted_series(tests.curves, steel_settings()), choice),
       Catch::StartsWith(
           "points for C = 0: needs two or more of a curve at room temperature faster than 3 times 0.001") &&
-          Catch::Contains("--C"));
+          Catch::EndsWith("or a known value of C"));
   tests.add(1e3, 293, 0.2);
   tests.curves.erase(tests.curves.begin());
   CHECK_THROWS_WITH(calibrated(sorted_series(tests.curves, steel_settings()), choice),
                     Catch::StartsWith("points for b = 0: needs two or more of a curve hotter than 303 K") &&
-                        Catch::Contains("--b"));
+                        Catch::EndsWith("or a known value of b"));
 }
 
 TEST_CASE("C and b of each bin are those of the law, and the bins' scatter is that of the points") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
 
-#include "ogive/fit/engineering_curve.hpp"
+#include "ogive/fit/stress_curve.hpp"
 
 #include <cmath>
 

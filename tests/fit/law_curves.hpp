@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fit/adiabatic_curve.hpp"
 #include "ogive/fit/calibration.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/material/library.hpp"
 
 #include <cmath>

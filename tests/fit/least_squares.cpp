@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
 
+#include "ogive/fit/exponents.hpp"
 #include "ogive/fit/hardening_fit.hpp"
 #include "ogive/fit/least_squares.hpp"
-#include "ogive/fit/rate_exponent.hpp"
-#include "ogive/fit/thermal_exponent.hpp"
 
 using namespace ogive;
 

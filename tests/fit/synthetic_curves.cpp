@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ogive/fit/adiabatic_curve.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/io/csv_rows.hpp"
 #include "ogive/material/library.hpp"
 
@@ -66,7 +66,8 @@ std::vector<std::vector<double>> rows_of(const ogive::Metal<double, Law> &metal,
     for (int i = 0; first + i * step <= s.last_strain + 1e-9; ++i)
       strains.push_back(std::round(1e5 * (first + i * step)) / 1e5);
     const double heat = s.rate >= adiabatic_above ? metal.taylor_quinney / (metal.density * metal.specific_heat) : 0.0;
-    for (const auto &p : adiabatic_curve(law, s.rate, s.temperature, heat, strains))
+    for (const auto &p : adiabatic_curve(law, {metal.room_temperature, metal.melting_temperature}, s.rate,
+                                         s.temperature, heat, strains))
       rows.push_back({s.rate, s.temperature, p.strain, p.stress * (1 + noise * scatter.normal()) / 1e6});
   }
   return rows;

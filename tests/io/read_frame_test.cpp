@@ -151,7 +151,7 @@ TEST_CASE("a .pvd that is missing, damaged or foreign is named") {
   for (const char *text : {"", "nonsense", "<VTKFile type=\"Collection\"><Collection>",
                            "<VTKFile type=\"Collection\"></VTKFile>", "<VTKFile><Collection/></VTKFile>"}) {
     write_atomically(pvd, text);
-    CHECK(series_error_of(pvd) == pvd.string() + ": must be a .pvd file, as perforate writes it");
+    CHECK(series_error_of(pvd) == pvd.string() + ": must be a .pvd file, as ogive writes it");
   }
   const auto listing = [&](const std::string &attributes) {
     write_atomically(pvd, "<VTKFile type=\"Collection\"><Collection>" + attributes + "</Collection></VTKFile>");
@@ -174,7 +174,7 @@ TEST_CASE("a .vtu that is missing, damaged or foreign is named") {
   for (const std::size_t size : {std::size_t(0), std::size_t(40), whole.size() / 3, whole.size() - 200}) {
     INFO("cut to " << size);
     write_atomically(path, whole.substr(0, size));
-    CHECK(read_error_of(series) == path.string() + ": must be a whole .vtu file, as perforate writes it");
+    CHECK(read_error_of(series) == path.string() + ": must be a whole .vtu file, as ogive writes it");
   }
   std::filesystem::remove(path);
   CHECK(read_error_of(series) == path.string() + ": must be a .vtu file that can be read");
@@ -187,7 +187,7 @@ TEST_CASE("a .vtu that is missing, damaged or foreign is named") {
   CHECK(read_error_of(series) == path.string() + ": must hold hexes, or particles with a particle_diameter_mm");
   lines->InsertNextCell(VTK_LINE, 2, std::array<vtkIdType, 2>{0, 9}.data());
   write_vtu(path, lines);
-  CHECK(read_error_of(series) == path.string() + ": must be a whole .vtu file, as perforate writes it");
+  CHECK(read_error_of(series) == path.string() + ": must be a whole .vtu file, as ogive writes it");
 }
 
 TEST_CASE("a .vtu with wrong bytes is refused or read, and nothing worse") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ogive/io/vtk_resume.hpp"
+#include "ogive/io/vtk.hpp"
 
 #include "io/sample_frame.hpp"
 #include "io/temporary_folder.hpp"

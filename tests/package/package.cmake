@@ -1,5 +1,5 @@
-# Tests of ogive as others take it. They share one build of ogive in `work` that has no programs, so that they need no
-# other target, and install from it.
+# Tests of ogive as others take it. Those of the library share one build of ogive in `work` that has no programs, so that
+# they need no other target, and install from it.
 set(work "${CMAKE_CURRENT_BINARY_DIR}/package")
 find_program(clangxx NAMES clang++ clang++-14 clang++-15 clang++-16)
 
@@ -9,7 +9,7 @@ function(add_package_test name step)
     NAME "package:${name}"
     COMMAND
       ${CMAKE_COMMAND} -D STEP=${step} -D SOURCE=${PROJECT_SOURCE_DIR} -D WORK=${work} -D
-      CONSUMER=${CMAKE_CURRENT_SOURCE_DIR}/package/consumer -D GENERATOR=${CMAKE_GENERATOR} -D
+      CONSUMER=${CMAKE_CURRENT_SOURCE_DIR}/package/consumer -D BUILD=${PROJECT_BINARY_DIR} -D GENERATOR=${CMAKE_GENERATOR} -D
       CXX=${CMAKE_CXX_COMPILER} -D CLANGXX=${clangxx} -D VERSION=${PROJECT_VERSION} -D WITH_VTK=$<TARGET_EXISTS:ogive::vtk>
       -P "${CMAKE_CURRENT_SOURCE_DIR}/package/package_step.cmake")
   set_tests_properties("package:${name}" PROPERTIES TIMEOUT 900 SKIP_REGULAR_EXPRESSION "SKIPPED")
@@ -26,6 +26,9 @@ set_tests_properties(
   "package:every header compiles alone" "package:found where it was installed" "package:the same without VTK"
   "package:compiled by Clang" "package:other versions are refused" PROPERTIES FIXTURES_REQUIRED installed)
 add_package_test("a subdirectory" subdirectory)
+if(TARGET ogive_main AND OGIVE_INSTALL)
+  add_package_test("programs, data and completion" programs)
+endif()
 
 find_package(Python3 3.11 COMPONENTS Interpreter)
 if(Python3_FOUND)

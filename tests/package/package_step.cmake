@@ -21,10 +21,15 @@ function(consume name)
 endfunction()
 
 set(from_prefix -D CMAKE_PREFIX_PATH=${prefix})
+# The steps `headers`, `package` and `clang` try every header; for others it is enough to find them.
+set(main_headers -D OGIVE_HEADERS=ogive.hpp)
 
 if(STEP STREQUAL "install")
+  # Headers alone are read only: making code for each would say no more. Set once the compiler has been tried.
+  file(WRITE "${WORK}/headers.cmake"
+       "set(CMAKE_CXX_COMPILER_LAUNCHER \"${CMAKE_CURRENT_LIST_DIR}/syntax_only.sh\" CACHE STRING \"\")\n")
   run(${CMAKE_COMMAND} -G ${GENERATOR} -S "${SOURCE}" -B "${WORK}/ogive" -D CMAKE_CXX_COMPILER=${CXX} -D
-      OGIVE_BUILD_APPS=OFF -D OGIVE_BUILD_TESTS=OFF -D OGIVE_BUILD_BENCH=OFF -D OGIVE_BUILD_EXAMPLES=OFF)
+      CMAKE_PROJECT_ogive_INCLUDE=${WORK}/headers.cmake -D OGIVE_BUILD_APPS=OFF -D OGIVE_BUILD_TESTS=OFF -D OGIVE_BUILD_BENCH=OFF -D OGIVE_BUILD_EXAMPLES=OFF)
   # Moved after the installation: a package must not know where it was staged.
   file(REMOVE_RECURSE "${prefix}" "${WORK}/staged")
   run(${CMAKE_COMMAND} --install "${WORK}/ogive" --prefix "${WORK}/staged")
@@ -35,9 +40,23 @@ elseif(STEP STREQUAL "package")
   consume(package -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix})
 elseif(STEP STREQUAL "package_without_vtk")
   set(WITH_VTK OFF)
-  consume(package_without_vtk -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D CMAKE_DISABLE_FIND_PACKAGE_VTK=ON)
+  consume(package_without_vtk -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D CMAKE_DISABLE_FIND_PACKAGE_VTK=ON
+          ${main_headers})
 elseif(STEP STREQUAL "subdirectory")
-  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE})
+  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE} ${main_headers})
+elseif(STEP STREQUAL "programs")
+  set(programs "${WORK}/programs")
+  file(REMOVE_RECURSE "${programs}")
+  run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${programs}")
+  foreach(program IN ITEMS ogive steel_blunt nose_shapes aluminium_conical)
+    run("${programs}/bin/${program}" --version)
+  endforeach()
+  foreach(table IN ITEMS experiment_shots experiment_limits figure_shots paper_simulations)
+    if(NOT EXISTS "${programs}/share/ogive/data/${table}.csv")
+      message(FATAL_ERROR "share/ogive/data/${table}.csv is not installed")
+    endif()
+  endforeach()
+  run(bash "${CMAKE_CURRENT_LIST_DIR}/completion.sh" "${programs}/share/bash-completion/completions/ogive")
 elseif(STEP STREQUAL "clang")
   file(WRITE "${WORK}/openmp.cpp" "#include <omp.h>\nint main() { return omp_get_max_threads() < 1; }\n")
   execute_process(COMMAND "${CLANGXX}" -fopenmp "${WORK}/openmp.cpp" -o "${WORK}/openmp" RESULT_VARIABLE status

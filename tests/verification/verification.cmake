@@ -3,6 +3,7 @@ find_package(CLI11 REQUIRED)
 
 file(GLOB verification_sources CONFIGURE_DEPENDS verification/*.cpp)
 ogive_program(verification SOURCES ${verification_sources} LIBRARIES CLI11::CLI11)
+ogive_use_instances(verification ogive_fixed_instances)
 target_include_directories(verification PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
 target_compile_definitions(
   verification PRIVATE OGIVE_FINAL_ENERGIES="${CMAKE_CURRENT_SOURCE_DIR}/verification/final_energies.csv")

@@ -9,6 +9,11 @@
 
 namespace commands {
 
+options::Table calibrate_table() {
+  calibrate::Options o;
+  return calibrate::table_of(o);
+}
+
 int calibrate(const options::Arguments &arguments) {
   const auto o = calibrate::parse(arguments, std::cout);
   if (!o) return options::success;

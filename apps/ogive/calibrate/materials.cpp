@@ -48,10 +48,10 @@ std::string write_material(const Options &o, const std::string &file, const ogiv
                            const char *method) {
   const std::string name = o.name + (c.hardenings.size() > 1 ? " " + c.hardenings[h] : "");
   const auto metal = c.frame.form == ogive::FlowForm::modified
-                         ? metal_with(o, modified_law(c.frame, c.hardening[h], c.C, c.b), name, method)
+                         ? metal_with(o, modified_law(c.hardening[h], c.C, c.b), name, method)
                          : metal_with(o, classical_law(c.frame, c.hardening[h], c.C, c.b), name, method);
   const std::string text = materials::to_toml(metal, "Written by ogive calibrate; fit.json beside it holds the "
-                                                         "uncertainties.");
+                                                     "uncertainties.");
   try {
     materials::parse(text, file);
   } catch (const ogive::SetupError &error) {

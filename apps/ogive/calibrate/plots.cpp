@@ -3,7 +3,7 @@
 
 #include "draw/plot.hpp"
 
-#include "ogive/fit/adiabatic_curve.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/fit/strain_bins.hpp"
 #include "ogive/io/atomic_file.hpp"
 
@@ -205,8 +205,10 @@ std::vector<ogive::LawPoint> prediction(const Plots &p, std::size_t h, double ra
   const auto &law = p.law;
   const double heat = rate >= p.options.adiabatic_above_per_s ? heat_per_work(p.options) : 0, room = p.options.room_K;
   if (law.frame.form == ogive::FlowForm::modified)
-    return adiabatic_curve(modified_law(law.frame, law.hardening[h], law.C, law.b), rate, room, heat, strains);
-  return adiabatic_curve(classical_law(law.frame, law.hardening[h], law.C, law.b), rate, room, heat, strains);
+    return adiabatic_curve(modified_law(law.hardening[h], law.C, law.b), law.frame.temperatures(), rate, room, heat,
+                           strains);
+  return adiabatic_curve(classical_law(law.frame, law.hardening[h], law.C, law.b), law.frame.temperatures(), rate, room,
+                         heat, strains);
 }
 
 /// prediction.csv and .svg (Fig. 2), of the hardening with the most rates at room temperature: there is most to

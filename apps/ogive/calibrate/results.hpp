@@ -3,7 +3,7 @@
 
 #include "options.hpp"
 
-#include "ogive/fit/misfit.hpp"
+#include "ogive/fit/calibration.hpp"
 #include "ogive/fit/simultaneous.hpp"
 
 #include <optional>

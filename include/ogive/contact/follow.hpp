@@ -3,6 +3,8 @@
 
 #include "ogive/contact/ledger.hpp"
 #include "ogive/contact/node_to_surface.hpp"
+#include "ogive/core/parallel.hpp"
+#include "ogive/material/damage.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -15,6 +17,17 @@
 
 namespace ogive {
 
+/// Deactivates the slaves whose material has been removed from `body`: without a mass that makes the penalty they feel
+/// no force. Facets stay, also those of removed hexes.
+template <class T, class Body> void release_removed(NodeToSurface<T> &contact, const Body &body) {
+  if (contact.follows || body.metal.damage.effect != FailureEffect::removal) return;
+  parallel_for(static_cast<Index>(contact.slaves.size()), [&](Index s) {
+    const Index n = contact.slaves[s];
+    if (n >= body.nodes.begin && n < body.nodes.end && is_node_removed(body, n - body.nodes.begin))
+      contact.state.slave_mass[s] = T(0);
+  });
+}
+
 /// Books the work that the forces on slave `s` did since the middle of the last step of `dt` (s), and ends them.
 template <class T> void settle(NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, T dt) {
   const auto end = [&](ContactForce<T> &force) {
@@ -26,8 +39,8 @@ template <class T> void settle(NodeToSurface<T> &contact, Nodes<T> &nodes, Index
   if (!contact.state.opposite.empty()) end(contact.state.opposite[s]);
 }
 
-/// Takes the masses that the slaves have now. A slave without mass is deactivated. One that had none is new: it may overlap
-/// the surface, and its offset grows from where it is.
+/// Takes the masses that the slaves have now. A slave without mass is deactivated. One that had none is new: it may
+/// overlap the surface, and its offset grows from where it is.
 template <class T> void follow_slaves(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt) {
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
     const T mass = nodes.mass[contact.slaves[s]];

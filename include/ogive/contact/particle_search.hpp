@@ -3,7 +3,7 @@
 
 #include "ogive/contact/particle_contact.hpp"
 #include "ogive/core/parallel.hpp"
-#include "ogive/search/box_of_moves.hpp"
+#include "ogive/search/box.hpp"
 #include "ogive/search/neighbours.hpp"
 #include "ogive/sph/kernel.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ogive/contact/node_to_surface.hpp"
-#include "ogive/search/box_of_moves.hpp"
+#include "ogive/search/box.hpp"
 #include "ogive/search/cell_grid.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "ogive/contact/closest_point.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/parallel.hpp"
-#include "ogive/mesh/hex_locate.hpp"
+#include "ogive/mesh/hex_geometry.hpp"
 #include "ogive/mesh/hex_mesh.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fit/engineering_curve.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/fit/test_series.hpp"
 #include "ogive/io/csv_rows.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/fit/exponents.hpp"
 #include "ogive/fit/hardening_fit.hpp"
-#include "ogive/fit/rate_exponent.hpp"
 #include "ogive/fit/test_series.hpp"
-#include "ogive/fit/thermal_exponent.hpp"
 
 #include <optional>
 #include <vector>

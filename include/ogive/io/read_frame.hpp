@@ -131,7 +131,7 @@ inline vtkSmartPointer<vtkUnstructuredGrid> read_vtu(const std::filesystem::path
   } catch (const std::bad_alloc &) {
     // A damaged length of data.
   }
-  throw read_error(path, "must be a whole .vtu file, as perforate writes it");
+  throw read_error(path, "must be a whole .vtu file, as ogive writes it");
 }
 
 inline std::vector<Vec3<float>> positions_of(vtkUnstructuredGrid *grid) {
@@ -214,7 +214,7 @@ inline StoredSeries read_series(const std::filesystem::path &pvd) {
   vtkXMLDataElement *root = parser->Parse() == 1 ? parser->GetRootElement() : nullptr;
   vtkXMLDataElement *list = root ? root->FindNestedElementWithName("Collection") : nullptr;
   if (list == nullptr || attribute(root, "type") != "Collection")
-    throw read_error(pvd, "must be a .pvd file, as perforate writes it");
+    throw read_error(pvd, "must be a .pvd file, as ogive writes it");
   StoredSeries series{pvd, {}};
   for (int k = 0; k < list->GetNumberOfNestedElements(); ++k) {
     vtkXMLDataElement *element = list->GetNestedElement(k);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ogive/material/bilinear.hpp"
-#include "ogive/material/critical_work.hpp"
 #include "ogive/material/johnson_cook.hpp"
 #include "ogive/material/metal.hpp"
 

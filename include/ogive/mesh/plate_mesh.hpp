@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ogive/mesh/grading.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 #include "ogive/mesh/mesh_check.hpp"
-#include "ogive/mesh/mirror.hpp"
 #include "ogive/mesh/o_grid.hpp"
 #include "ogive/mesh/projectile.hpp"
 

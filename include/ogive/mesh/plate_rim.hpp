@@ -4,8 +4,8 @@
 #include "ogive/core/error.hpp"
 #include "ogive/mesh/facets.hpp"
 #include "ogive/mesh/grading.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 #include "ogive/mesh/mesh_check.hpp"
-#include "ogive/mesh/mirror.hpp"
 
 #include <algorithm>
 #include <cmath>

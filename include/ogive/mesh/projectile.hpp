@@ -3,8 +3,8 @@
 
 #include "ogive/mesh/facets.hpp"
 #include "ogive/mesh/grading.hpp"
+#include "ogive/mesh/hex_mesh.hpp"
 #include "ogive/mesh/mesh_check.hpp"
-#include "ogive/mesh/mirror.hpp"
 #include "ogive/mesh/o_grid.hpp"
 #include "ogive/mesh/projectile_shape.hpp"
 

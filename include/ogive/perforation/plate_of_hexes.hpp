@@ -4,7 +4,7 @@
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/mesh/plate_mesh.hpp"
 #include "ogive/perforation/case.hpp"
-#include "ogive/perforation/numerics.hpp"
+#include "ogive/perforation/method.hpp"
 #include "ogive/perforation/plates.hpp"
 #include "ogive/sim/convert.hpp"
 

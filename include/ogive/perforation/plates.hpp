@@ -7,7 +7,7 @@
 #include "ogive/mesh/facets.hpp"
 #include "ogive/mesh/plate_rim.hpp"
 #include "ogive/perforation/case.hpp"
-#include "ogive/perforation/numerics.hpp"
+#include "ogive/perforation/method.hpp"
 #include "ogive/sph/layout.hpp"
 
 #include <algorithm>

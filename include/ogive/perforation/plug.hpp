@@ -2,12 +2,37 @@
 #pragma once
 
 #include "ogive/contact/closest_point.hpp"
-#include "ogive/core/disjoint_sets.hpp"
+#include "ogive/core/types.hpp"
 #include "ogive/perforation/setup.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace ogive {
+
+/// A partition of 0 to n - 1 whose parts are joined one by one. The smallest member names its part.
+struct DisjointSets {
+  std::vector<Index> parent; ///< of each number, itself where it names its part
+  /// Each number alone.
+  explicit DisjointSets(Index n) : parent(n) { std::iota(parent.begin(), parent.end(), Index(0)); }
+  /// The smallest member of the part that `i` belongs to.
+  Index root(Index i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  }
+  /// Makes one part of those of `i` and `j`.
+  void join(Index i, Index j) {
+    const Index a = root(i), b = root(j);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  /// The smallest member of the part of each number.
+  std::vector<Index> roots() {
+    std::vector<Index> all(parent.size());
+    for (Index i = 0; i < static_cast<Index>(all.size()); ++i) all[i] = root(i);
+    return all;
+  }
+};
 
 /// What the plate's particles or hexes have broken into.
 template <class T> struct Fragments {

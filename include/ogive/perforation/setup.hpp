@@ -7,7 +7,7 @@
 #include "ogive/mesh/facets.hpp"
 #include "ogive/mesh/projectile.hpp"
 #include "ogive/perforation/case.hpp"
-#include "ogive/perforation/numerics.hpp"
+#include "ogive/perforation/method.hpp"
 #include "ogive/perforation/plate_of_hexes.hpp"
 #include "ogive/perforation/plates.hpp"
 #include "ogive/sim/model.hpp"

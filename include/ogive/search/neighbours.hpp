@@ -4,7 +4,7 @@
 #include "ogive/core/pack.hpp"
 #include "ogive/core/parallel.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/search/box_of_moves.hpp"
+#include "ogive/search/box.hpp"
 #include "ogive/search/cell_grid.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/mesh/exposed_facets.hpp"
+#include "ogive/mesh/facets.hpp"
 
 #include <cstddef>
 #include <cstdint>

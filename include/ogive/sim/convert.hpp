@@ -5,7 +5,6 @@
 #include "ogive/core/parallel.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/fem/hex_time_step.hpp"
-#include "ogive/sim/bodies.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sph/body.hpp"
 

@@ -4,12 +4,13 @@
 #include "ogive/core/choice.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
+#include "ogive/core/types.hpp"
 #include "ogive/material/metal.hpp"
 #include "ogive/search/neighbours.hpp"
 #include "ogive/sph/bonds.hpp"
 #include "ogive/sph/kernel.hpp"
-#include "ogive/sph/pair_data.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -36,6 +37,25 @@
 ///     nodes: force                        <-- add_internal_force() --   pair_data, lists.within
 
 namespace ogive {
+
+/// What particles and their mirror images show to their neighbours, one array for each quantity, by places.
+template <class T> struct PairData {
+  std::vector<T> x, y, z;                   ///< m
+  std::vector<T> vx, vy, vz;                ///< m/s
+  std::vector<T> volume;                    ///< m3
+  std::vector<T> density;                   ///< kg/m3
+  std::vector<T> pressure;                  ///< Pa, used where damage follows that of the neighbours only
+  std::vector<T> smoothing;                 ///< m, used with variable smoothing length only
+  std::array<std::vector<T>, 9> correction; ///< B, row first; of particles only, empty for the standard form
+  std::array<std::vector<T>, 9> flux;       ///< corrected stress G = sigma B times the volume, row first, N m
+};
+
+/// Makes room for `n` places in all arrays but `correction`.
+template <class T> void resize(PairData<T> &d, std::size_t n) {
+  for (auto *v : {&d.x, &d.y, &d.z, &d.vx, &d.vy, &d.vz, &d.volume, &d.density, &d.pressure, &d.smoothing})
+    v->resize(n);
+  for (auto &v : d.flux) v.resize(n);
+}
 
 /// The renormalised symmetric form: gradients corrected so that linear fields are exact, forces their transpose
 /// (Randles & Libersky 1996; Bonet & Lok 1999).

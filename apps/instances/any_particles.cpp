@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "instances.hpp"
+
+namespace ogive {
+
+OGIVE_PARTICLES(, instances::AnyParticles)
+
+} // namespace ogive

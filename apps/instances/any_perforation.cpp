@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "instances.hpp"
+
+namespace ogive {
+
+OGIVE_PERFORATION(, instances::AnyShot, instances::AnyLaw, AnyDiscretisation)
+
+} // namespace ogive
