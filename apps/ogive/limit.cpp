@@ -138,7 +138,7 @@ int limit(const options::Arguments &arguments) {
     any.velocity_mps = -1;
     o.out = shot::default_out(any).string() + "_limit";
   }
-  const study::Study study{.out = o.out, .threads = o.threads.value_or(study::cores())};
+  const study::Study study{.out = o.out, .threads = o.threads};
   const study::Series tested = study::series_of(study::case_of(o, {}, ""));
   study::Series series = tested;
   series.published = {};

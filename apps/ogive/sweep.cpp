@@ -157,7 +157,7 @@ int sweep(const options::Arguments &arguments) {
   const study::CaseList list = study::cases_of(levels, s.cases, s.vary);
   study::Study study = study::study_of(s.study, defaults.out);
   study.own_columns = list.own_columns;
-  study.threads = defaults.threads.value_or(study.threads);
+  study.threads = defaults.threads;
   const auto series = s.limit ? study::series_in(list.cases) : std::vector<study::Series>{};
   const auto run = [&](const study::Report &report) {
     return s.limit ? study::find_limits(study, study::share_of(series, study), s.width_mps, report)

@@ -95,20 +95,6 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
   return t;
 }
 
-/// Those that belong to the study's shard. A series stays in one shard: its bisection then needs no other and asks for
-/// the same velocities as in a run without shards.
-std::vector<Case> share_of_series(const std::vector<Case> &all, const Study &study) {
-  std::vector<Key> series, mine;
-  for (const Case &shot : all)
-    if (const Key key = series_key(shot.key); std::find(series.begin(), series.end(), key) == series.end())
-      series.push_back(key);
-  mine = share_of(series, study);
-  std::vector<Case> cases;
-  for (const Case &shot : all)
-    if (std::find(mine.begin(), mine.end(), series_key(shot.key)) != mine.end()) cases.push_back(shot);
-  return cases;
-}
-
 std::vector<Series> curves_in(const std::vector<FigureShot> &shots, const Study &study) {
   std::vector<Case> cases;
   for (const FigureShot &listed : shots)
@@ -211,6 +197,18 @@ std::vector<Case> cases_in(const std::vector<FigureShot> &shots) {
       o.vtk = true;
     }
   }
+  return cases;
+}
+
+std::vector<Case> share_of_series(const std::vector<Case> &all, const Study &study) {
+  std::vector<Key> series, mine;
+  for (const Case &shot : all)
+    if (const Key key = series_key(shot.key); std::find(series.begin(), series.end(), key) == series.end())
+      series.push_back(key);
+  mine = share_of(series, study);
+  std::vector<Case> cases;
+  for (const Case &shot : all)
+    if (std::find(mine.begin(), mine.end(), series_key(shot.key)) != mine.end()) cases.push_back(shot);
   return cases;
 }
 

@@ -55,6 +55,10 @@ std::vector<FigureShot> listed_shots(const Figures &figures, const FigureOptions
 /// The cases of a list, each once, with the most frequent frames of those that it is listed with.
 std::vector<Case> cases_in(const std::vector<FigureShot> &shots);
 
+/// The part of a list that belongs to the study's shard. A series stays in one shard: its bisection then needs no other
+/// and takes the same velocities as without shards.
+std::vector<Case> share_of_series(const std::vector<Case> &all, const Study &study);
+
 /// The main function of a program of the figures: runs, resumes and draws. Returns its exit status.
 int run_figures(const Figures &figures, const options::Arguments &arguments);
 

@@ -54,7 +54,7 @@ std::string rows_shown(const std::filesystem::path &out) {
 std::vector<LimitRow> write_limits(const std::filesystem::path &file, const std::vector<Series> &series,
                                    const std::vector<Row> &rows, const std::vector<std::string> &own_columns) {
   auto limits = limits_in(series, rows);
-  for (const LimitRow &row : limits) say(described(row));
+  for (const LimitRow &row : limits) say(described(row, own_columns));
   if (!limits.empty()) ogive::write_atomically(file, limits_csv(limits, own_columns));
   return limits;
 }

@@ -188,12 +188,13 @@ std::string limits_csv(const std::vector<LimitRow> &limits, const std::vector<st
   return csv;
 }
 
-std::string described(const LimitRow &row) {
+std::string described(const LimitRow &row, const std::vector<std::string> &own_columns) {
   char text[240];
   const auto &v = row.key.values;
   std::string line = (v[method_column] == "sfm" ? "" : v[method_column] + ", ") + v[model_column] + ", " +
                      v[material_column] + ", " + v[nose_column] + ", " + v[thickness_column] + " mm";
-  for (std::size_t k = key_columns().size(); k < v.size(); ++k) line += ", " + v[k];
+  for (std::size_t k = 0; k < own_columns.size(); ++k)
+    line += ", " + own_columns[k] + " " + v[key_columns().size() + k];
   line += ": ";
   const auto estimate = ogive::limit_estimate(row.bracket);
   if (estimate) {

@@ -73,6 +73,6 @@ std::vector<LimitRow> limits_in(const std::vector<Series> &series, const std::ve
 std::string limits_csv(const std::vector<LimitRow> &limits, const std::vector<std::string> &own_columns);
 
 /// One line for the terminal: bisection, fit, and the difference between them.
-std::string described(const LimitRow &row);
+std::string described(const LimitRow &row, const std::vector<std::string> &own_columns);
 
 } // namespace study

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
@@ -67,6 +68,13 @@ off_t end_of_lines(int file) {
   for (char c = 0; end > 0; --end)
     if (::pread(file, &c, 1, end - 1) == 1 && c == '\n') break;
   return end;
+}
+
+/// True for the results of one plate's shape: of several plates a summary has none.
+bool is_of_shape(const std::string &column) {
+  constexpr std::array shape{"plug_thickness_mm",  "dishing_mm",         "kept_fraction",     "petal_height_mm",
+                             "band_temperature_K", "core_temperature_K", "most_temperature_K"};
+  return std::find(shape.begin(), shape.end(), column) != shape.end();
 }
 
 /// Numbers by their value, other texts by their letters.
@@ -150,9 +158,10 @@ Row row_of(const Key &key, const nlohmann::ordered_json &json, const std::string
     if (!json.at("fault").is_null())
       throw SetupError(name + ": the run stopped: " + ogive::printable(json["fault"].at("what").get<std::string>()));
     for (const std::string &column : result_columns()) {
-      const auto &value = json.contains(column) ? json[column] : nlohmann::ordered_json(0.0);
+      const bool is_left_out = is_of_shape(column) && !json.contains(column);
+      const auto value = is_left_out ? nlohmann::ordered_json(0.0) : json.at(column);
       if (row.results.size() + text_results >= result_columns().size())
-        row.results.push_back(json.at(column).get<std::string>());
+        row.results.push_back(value.get<std::string>());
       else
         row.results.push_back(value.is_boolean() ? (value.get<bool>() ? "1" : "0")
                                                  : ogive::shortest(value.get<double>()));

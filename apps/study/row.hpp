@@ -47,7 +47,8 @@ double number(const Key &key, std::size_t column);
 /// The key of a case in a study with these columns of its own.
 Key key_of(const shot::Options &options, const std::vector<std::string> &own_columns);
 
-/// The row of a shot from its summary. Throws SetupError if that reports a fault or lacks a result.
+/// The row of a shot from its summary; of several plates the shape is 0. Throws SetupError if the summary reports a
+/// fault or lacks a result.
 Row row_of(const Key &key, const nlohmann::ordered_json &summary, const std::string &name);
 
 /// The summary that a run left in `folder`. Throws SetupError if it cannot be read.

@@ -183,7 +183,10 @@ Outcome run_chosen(const Study &study, std::size_t at_once, const NextCase &next
   fs::create_directories(study.out / "shots", error);
   if (error) throw ogive::write_error(study.out / "shots", error.message());
   const int workers = static_cast<int>(std::clamp<std::size_t>(at_once, 1, static_cast<std::size_t>(study.jobs)));
-  Work w{.study = study, .report = report, .threads = std::max(1, cores() / workers), .next = next};
+  Work w{.study = study,
+         .report = report,
+         .threads = study.threads.value_or(std::max(1, cores() / workers)),
+         .next = next};
   w.rows = read_all_rows(study.out, study.own_columns);
   {
     std::vector<std::jthread> threads;

@@ -25,7 +25,8 @@ struct Case {
 struct Study {
   std::filesystem::path out;              ///< folder of the study: shots/ and the rows
   std::vector<std::string> own_columns{}; ///< of the key, besides key_columns()
-  int jobs = 1;                           ///< shots at a time, which share the cores
+  int jobs = 1;                           ///< shots at a time
+  std::optional<int> threads{};           ///< of each shot; unset: the shots share the cores
   int shard = 1;                          ///< this process runs part `shard` of `shards`
   int shards = 1;
 };
