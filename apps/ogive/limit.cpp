@@ -103,11 +103,10 @@ int limit(const options::Arguments &arguments) {
   study::Series series = study::series_of(study::case_of(o, {}, ""));
   series.published = {};
   series.guess_mps = line->find("velocity_mps") != nullptr ? o.velocity_mps : study::guess_mps(o);
-  std::printf("Ballistic limit within %g m/s, %s, method %s\n", l.width_mps / 2, o.out.c_str(),
-              shot::name_of(o.method).c_str());
-  std::fflush(stdout);
-
-  int status = study::run_study("ogive limit", study, l.study.run, {}, {series}, l.width_mps, [] {});
+  int status = study::run_study(
+      "ogive limit", study, l.study.run, {}, {series}, l.width_mps, [] {},
+      "Ballistic limit within " + options::shortest(l.width_mps / 2) + " m/s, " + o.out.string() + ", method " +
+          shot::name_of(o.method));
   const auto rows = [&] { return study::read_all_rows(o.out, {}); };
   auto limits = study::limits_in({series}, rows());
   if (status != options::success || limits.empty()) return status;

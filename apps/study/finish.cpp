@@ -23,12 +23,14 @@ void say(const std::string &line) {
 } // namespace
 
 int run_study(const char *program, const Study &study, bool runs, const std::vector<Case> &cases,
-              const std::vector<Series> &series, double width_mps, const std::function<void()> &draw) {
+              const std::vector<Series> &series, double width_mps, const std::function<void()> &draw,
+              const std::string &title) {
   Outcome all;
   if (runs) {
     constexpr double bytes = 64e6; // of a shot with frames or of a checkpoint
     options::prepare_out(study.out, bytes, "");
     const StudyLock lock(study);
+    if (!title.empty()) say(title);
     const shot::SignalCatcher catcher;
     all = run_cases(study, cases, say);
     if (all.stopped_by == 0 && !series.empty()) {
