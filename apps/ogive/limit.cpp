@@ -143,11 +143,10 @@ int limit(const options::Arguments &arguments) {
   study::Series series = tested;
   series.published = {};
   series.guess_mps = line->find("velocity_mps") != nullptr ? o.velocity_mps : study::guess_mps(o);
-  std::printf("Ballistic limit within %g m/s, %s, method %s\n", l.width_mps / 2, o.out.c_str(),
-              shot::name_of(o.method).c_str());
-  std::fflush(stdout);
   bool complete = true;
   const auto run = [&](const study::Report &report) {
+    report("Ballistic limit within " + options::shortest(l.width_mps / 2) + " m/s, " + o.out.string() + ", method " +
+           shot::name_of(o.method));
     study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
     complete = all.stopped_by == 0 && all.failed.empty();
     if (!complete) return all;

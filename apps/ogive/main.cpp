@@ -17,7 +17,7 @@ const std::vector<Subcommand> &subcommands() {
       {"shoot", "shoot at a plate: residual velocity, pictures, files for ParaView", shoot, shoot_table},
       {"limit", "find a ballistic limit and the curve of the residual velocity", limit, limit_table},
       {"sweep", "run a list of shots or limits, resumable, several at a time", sweep, sweep_table},
-      {"mesh", "write the model of a shot for ParaView, with the quality of its hexes", mesh, mesh_table},
+      {"mesh", "write the model of a shot for ParaView, print its mesh quality", mesh, mesh_table},
       {"calibrate", "fit a metal's flow law to tensile curves", calibrate, calibrate_table},
       {"draw", "draw sections and curves of results", draw, draw_table, false},
       {"materials", "list, show or check metals", materials, materials_table, false}};

@@ -7,11 +7,18 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <ostream>
 
 namespace options {
 
 namespace {
+
+/// Where the texts of a help begin, and the width that they fit.
+constexpr std::size_t text_column = 34, width = 100;
+
+/// Group of what every program has; programs may add to it.
+constexpr char general[] = "General";
 
 std::vector<std::string> flags_of(const Option &option) {
   std::vector<std::string> flags{flag_of(option.key)};
@@ -54,6 +61,7 @@ std::optional<CommandLine> read_command_line(const Command &command, const Table
                                              std::ostream &text) {
   CommandLine line;
   Table table = original;
+  table.group = general;
   if (command.config)
     add(table, line.config,
         {.key = "config",
@@ -113,7 +121,6 @@ std::optional<CommandLine> read_command_line(const Command &command, const Table
 }
 
 std::string help_item(const std::string &flag, const std::string &text) {
-  constexpr std::size_t text_column = 34;
   std::string start = "  " + flag;
   if (start.size() >= text_column)
     start += "\n" + std::string(text_column, ' ');
@@ -145,12 +152,15 @@ std::string help(const Command &command, const Table &table, bool all) {
           help_item(placed(option), option.meaning + option.range + (fallback.empty() ? "" : " [" + fallback + "]"));
     } else {
       // A folder follows from the case.
-      const std::string first = option.kind == Kind::file ? "" : fallback.substr(0, fallback.find(':'));
-      text += help_item(placed(option), option.brief + (first.empty() || first == "none" ? "" : " [" + first + "]"));
+      const std::string first = option.kind == Kind::file ? "" : fallback.substr(0, fallback.find(':')),
+                        value = " [" + first + "]";
+      const bool has_room = text_column + std::strlen(option.brief) + value.size() <= width;
+      text += help_item(placed(option), option.brief + (first.empty() || first == "none" || !has_room ? "" : value));
     }
   }
   if (all) {
-    text += "\nGeneral:\n" + help_item("--version", "print the version") +
+    text += (group == general ? "" : "\n" + std::string(general) + ":\n") +
+            help_item("--version", "print the version") +
             help_item("--help", "print the options that most users need") + help_item("--help-all", "print this text");
   } else {
     std::size_t hidden = 0;

@@ -4,6 +4,7 @@
 #include "limits.hpp"
 
 #include <functional>
+#include <string>
 
 /// \file
 /// What all programs that run a study do: run it, report, end.

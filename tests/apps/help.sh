@@ -22,6 +22,7 @@ for command in "${commands[@]}"; do
   grep -q "^  $command  *[a-z]" <<< "$help" || fail "$command is missing: $help"
 done
 [ "$(sed -n '/^Examples:/,/^$/p' <<< "$help" | grep -c '^  ogive ')" -eq 3 ] || fail "not three examples: $help"
+! grep -q '^   ' <<< "$help" || fail "a command takes two lines: $help"
 [ "$(wc -l <<< "$help")" -le 24 ] || fail "does not fit a terminal: $help"
 "$ogive" --version | grep -qx 'ogive [0-9]*\.[0-9]*\.[0-9]*' || fail "--version: $("$ogive" --version)"
 

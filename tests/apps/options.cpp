@@ -136,7 +136,7 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--model", "MJC"}, "--model = MJC: must be one of mjc, jc"},
       {{"--kernel", "gauss"}, "--kernel = gauss: must be one of cubic_spline, wendland_c2"},
       {{"--quiet=maybe"}, "--quiet = maybe: must be true or false"},
-      {{"--no-quiet=maybe"}, "--no-quiet"},
+      {{"--no-quiet=maybe"}, "--quiet = maybe: must be true or false"},
       {{"--quiet="}, "--quiet: needs a value: true or false"},
       {{"--thickness-mm"}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
       {{"--thickness-mm", ""}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
@@ -351,14 +351,15 @@ TEST_CASE("--help-all has every option, with its source, and fits a terminal") {
     CHECK(*option.meaning != 0);
     CHECK(*option.source != 0);
   }
-  CHECK(expected.size() > 50);
+  CHECK(expected.size() >= 50);
   expected.insert(expected.end(), {"--config", "--version", "--help", "--help-all"});
   auto found = flags_in(text.str());
   CHECK(std::set(found.begin(), found.end()) == std::set(expected.begin(), expected.end()));
   CHECK(found.size() == expected.size());
   CHECK(fits_a_terminal(text.str()));
-  for (const char *part : {"; 0.5 to 100 mm", "blunt, conical, ogival, hemispherical", "--no-vtk", "paper, Fig. 11",
-                           "Exit status: 0 done", "\nProjectile:\n"})
+  CHECK(text.str().find("\nGeneral:\n") == text.str().rfind("\nGeneral:\n"));
+  for (const char *part :
+       {"; 0.5 to 100 mm", "conical, ogival,", "--no-vtk", "paper, Fig. 11", "Exit status: 0 done", "\nProjectile:\n"})
     CHECK_THAT(text.str(), Catch::Matchers::Contains(part));
 }
 

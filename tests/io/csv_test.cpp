@@ -99,5 +99,6 @@ TEST_CASE("a full disk shows at the first row that does not fit") {
     WARN("skipped: there is no /dev/full");
     return;
   }
-  CHECK_THROWS_WITH(continue_csv("/dev/full", {"a"}), "cannot write /dev/full: No space left on device");
+  ogive::CsvWriter csv{"/dev/full", {"a"}, std::ofstream("/dev/full"), 0};
+  CHECK_THROWS_WITH(add_row(csv, {1.0}), "cannot write /dev/full: No space left on device");
 }
