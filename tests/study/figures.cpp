@@ -101,8 +101,7 @@ TEST_CASE("A shot of several figures is one case, with the most frequent frames"
 }
 
 TEST_CASE("Without pictures no shot writes frames, and the curves are the same") {
-  // Fig. 6 has shots of Figs. 7, 8 and 10, whose pictures need frames.
-  FigureOptions with = options_for(6), without = with;
+  FigureOptions with, without;
   without.pictures = false;
   const auto all = listed_shots(steel, with), few = listed_shots(steel, without);
   const auto writes = [](const FigureShot &one) { return frames_us(one.shot) > 0; };
