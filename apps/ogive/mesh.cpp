@@ -82,11 +82,10 @@ int mesh(const options::Arguments &arguments) {
   ogive::add_frame(series, ogive::gather_frame(model));
   std::printf("Model of %s\n", o.out.c_str());
   print_bodies(model);
-  std::printf(
-      "\n  Masses are those of the whole model. Jacobian: the smallest scaled one, 1 for a brick. A particle's\n"
-      "  size is the particle distance.\n"
-      "  files %s\n",
-      (o.out / "mesh.pvd").c_str());
+  std::printf("\n  Masses are those of the whole model. Jacobian: the smallest scaled one, 1 for a brick. The size of\n"
+              "  a particle is the particle distance.\n"
+              "  files %s\n",
+              (o.out / "mesh.pvd").c_str());
   return options::success;
 }
 

@@ -132,10 +132,9 @@ int sweep(const options::Arguments &arguments) {
   const options::Table table = table_of(defaults, s);
   const options::Command command{
       .name = "ogive sweep",
-      .purpose =
-          "Runs the cases of a list, or every combination of varied options, several at a time; with --limit their\n"
-          "ballistic limits. Ends with a table, OUT/shots.csv and a plot. Cases that have a row are not run\n"
-          "again; the same command resumes. Options of ogive shoot hold for all cases.\n",
+      .purpose = "Runs the cases of a list, or every combination of varied options, several at a time; with --limit\n"
+                 "their ballistic limits. Ends with a table, OUT/shots.csv and a plot. Cases that have a row are not\n"
+                 "run again; the same command resumes. Options of ogive shoot hold for all cases.\n",
       .usage = "[CASES.csv] [--vary NAME=LIST]... --out FOLDER [options]",
       .examples = "  ogive sweep --vary thickness_mm=6,8,10 --vary velocity_mps=200:400:25 --out thickness\n"
                   "  ogive sweep my_cases.csv --spacing-mm 1 --out my_study\n"
