@@ -65,7 +65,8 @@ int mesh(const options::Arguments &arguments) {
       .examples = "  ogive mesh --nose conical --spacing-mm 1\n",
       .more = exit_statuses,
       .config = true};
-  const auto line = options::read_command_line(command, mesh_table(), arguments, std::cout);
+  shot::Options defaults; // which the help reads
+  const auto line = options::read_command_line(command, shot::table_of(defaults), arguments, std::cout);
   if (!line) return options::success;
   shot::Options o = shot::settled(shot::levels_of(*line));
   if (o.out == shot::default_out(o)) o.out += "_mesh";
