@@ -30,7 +30,7 @@ int run_study(const char *program, const Study &study, bool runs, const std::fun
   if (runs) {
     constexpr double bytes = 64e6; // of a shot with frames or of a checkpoint
     options::prepare_out(study.out, bytes, "");
-    const StudyLock lock(study);
+    const StudyLock lock = lock_study(study);
     const shot::SignalCatcher catcher;
     all = run(say);
     std::printf("%d shots run, %d known before, %zu failed\n", all.run, all.known, all.failed.size());

@@ -3,24 +3,18 @@
 
 #include "study.hpp"
 
+#include "options/folder_lock.hpp"
+
+#include <memory>
 #include <vector>
 
 namespace study {
 
-/// One process at a time works on a study, or one on each of its shards, which are then of one number. The lock goes
-/// with the process, however that ends.
-class StudyLock {
-public:
-  /// Throws SetupError if another process has the study or this shard of it, WriteError if there can be no such file.
-  explicit StudyLock(const Study &study);
-  ~StudyLock();
-  StudyLock(const StudyLock &) = delete;
-  StudyLock &operator=(const StudyLock &) = delete;
+/// What keeps other processes from a study as long as it exists.
+using StudyLock = std::vector<std::unique_ptr<options::FolderLock>>;
 
-private:
-  void release();
-
-  std::vector<int> descriptors;
-};
+/// Locks a study, or the study's shard: processes may work on different shards if the number of shards is the same.
+/// Throws SetupError if another process is at work, WriteError if there can be no such files.
+[[nodiscard]] StudyLock lock_study(const Study &study);
 
 } // namespace study

@@ -232,20 +232,20 @@ TEST_CASE("Bisection goes on for the other series where a shot fails, and counts
 TEST_CASE("One process has a study, or one each of its shards") {
   const TemporaryFolder folder;
   const auto refused = [&](int shard, int shards) {
-    const std::string message =
-        message_of([&] { const StudyLock lock(Study{.out = folder.path, .shard = shard, .shards = shards}); });
+    const std::string message = message_of(
+        [&] { const StudyLock lock = lock_study(Study{.out = folder.path, .shard = shard, .shards = shards}); });
     CHECK(lines_in(message) == 0);
     return message;
   };
   const std::string start = "--out = " + folder.path.string() + ": another process works on this study",
                     end = "; wait for its end, or give another folder";
   {
-    const StudyLock all(Study{.out = folder.path});
+    const StudyLock all = lock_study(Study{.out = folder.path});
     CHECK(refused(1, 1) == start + end);
     CHECK(refused(1, 2) == start + ", without --shard" + end);
   }
   {
-    const StudyLock shard(Study{.out = folder.path, .shard = 1, .shards = 3});
+    const StudyLock shard = lock_study(Study{.out = folder.path, .shard = 1, .shards = 3});
     CHECK(refused(2, 3).empty());
     CHECK(refused(1, 3) == start + ", on the same shard" + end);
     CHECK(refused(1, 1) == start + end);
@@ -254,5 +254,5 @@ TEST_CASE("One process has a study, or one each of its shards") {
   }
   CHECK(refused(2, 2).empty());
   CHECK(refused(1, 1).empty());
-  CHECK_THROWS_AS(StudyLock(Study{.out = folder.path / "missing"}), ogive::WriteError);
+  CHECK_THROWS_AS(lock_study(Study{.out = folder.path / "missing"}), ogive::WriteError);
 }
