@@ -27,41 +27,25 @@ struct SweepOptions {
   study::StudyOptions study;
 };
 
+// clang-format off
 options::Table table_of(shot::Options &o, SweepOptions &s) {
   options::Table t;
   t.group = "Study";
-  options::Option &cases =
-      options::add(t, s.cases,
-                   {.key = "cases",
-                    .meaning = "a list: columns are names of options (thickness_mm), each row is a "
-                               "case; columns name and text are notes",
-                    .source = "none: one case",
-                    .brief = "a list of cases: columns are names of options",
-                    .allowed = "the name of a CSV file",
-                    .in_file = false});
+  options::Option &cases = options::add(t, s.cases, {.key = "cases",
+      .meaning = "a list: columns are names of options (thickness_mm), each row is a case; columns name and text "
+      "are notes", .source = "none: one case", .brief = "a list of cases: columns are names of options",
+      .allowed = "the name of a CSV file", .in_file = false});
   cases.placeholder = "CASES.csv";
-  options::Option &vary =
-      options::add(t, s.vary,
-                   {.key = "vary",
-                    .meaning = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP: every case with each of these values; "
-                               "several multiply",
-                    .source = "none: ours",
-                    .brief = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP; several multiply",
-                    .allowed = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP",
-                    .in_file = false});
+  options::Option &vary = options::add(t, s.vary, {.key = "vary",
+      .meaning = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP: every case with each of these values; several "
+      "multiply", .source = "none: ours", .brief = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP; several multiply",
+      .allowed = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP", .in_file = false});
   vary.placeholder = "NAME=LIST...";
-  options::add(t, s.limit,
-               {.key = "limit",
-                .meaning = "find the ballistic limit of each case instead of one shot",
-                .source = "no: ours",
-                .brief = "the ballistic limit of each case instead of one shot",
-                .in_file = false});
-  options::add(t, s.width_mps,
-               {.key = "width_mps",
-                .meaning = "difference of the velocities between which a limit is to lie",
-                .source = "ours",
-                .limits = {0.1, 500, "m/s"},
-                .in_file = false});
+  options::add(t, s.limit, {.key = "limit", .meaning = "find the ballistic limit of each case instead of one shot",
+      .source = "no: ours", .brief = "the ballistic limit of each case instead of one shot", .in_file = false});
+  options::add(t, s.width_mps, {.key = "width_mps",
+      .meaning = "difference of the velocities between which a limit is to lie", .source = "ours",
+      .limits = {0.1, 500, "m/s"}, .in_file = false});
   study::add_study_options(t, s.study);
   for (options::Option option : shot::table_of(o).options) {
     if (option.key != std::string_view("out") && option.key != std::string_view("material")) option.brief = "";
@@ -69,6 +53,7 @@ options::Table table_of(shot::Options &o, SweepOptions &s) {
   }
   return t;
 }
+// clang-format on
 
 /// Columns of the list that differ between cases: what a reader wants to see beside the result.
 std::vector<std::size_t> varied_columns(const std::vector<study::Case> &cases) {
