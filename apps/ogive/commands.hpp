@@ -33,6 +33,7 @@ int materials(const options::Arguments &arguments);
 int draw(const options::Arguments &arguments);
 int calibrate(const options::Arguments &arguments);
 
+/// The options of the subcommands by their names alone: there are no values behind them.
 options::Table shoot_table();
 options::Table limit_table();
 options::Table sweep_table();

@@ -28,23 +28,18 @@ struct LimitOptions {
   bool run = true;
 };
 
+// clang-format off
 options::Table table_of(shot::Options &o, LimitOptions &l) {
   options::Table t = shot::table_of(o);
   t.group = "Search";
-  options::add(t, l.run,
-               {.key = "run",
-                .meaning = "run what is missing; --no-run reports only what is known",
-                .source = "yes: ours",
-                .in_file = false});
-  options::add(t, l.width_mps,
-               {.key = "width_mps",
-                .meaning = "difference of the velocities between which the limit is to lie",
-                .source = "ours",
-                .brief = "width of the bracket of the limit",
-                .limits = {0.1, 500, "m/s"},
-                .in_file = false});
+  options::add(t, l.run, {.key = "run", .meaning = "run what is missing; --no-run reports only what is known",
+      .source = "yes: ours", .in_file = false});
+  options::add(t, l.width_mps, {.key = "width_mps",
+      .meaning = "difference of the velocities between which the limit is to lie", .source = "ours",
+      .brief = "width of the bracket of the limit", .limits = {0.1, 500, "m/s"}, .in_file = false});
   return t;
 }
+// clang-format on
 
 std::string with_error(double value, const ogive::ParameterReport<double> &report, const char *form) {
   char text[64], error[64] = "";

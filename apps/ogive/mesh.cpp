@@ -65,7 +65,8 @@ int mesh(const options::Arguments &arguments) {
       .examples = "  ogive mesh --nose conical --spacing-mm 1\n",
       .more = exit_statuses,
       .config = true};
-  const auto line = options::read_command_line(command, mesh_table(), arguments, std::cout);
+  shot::Options defaults; // which the help reads
+  const auto line = options::read_command_line(command, shot::table_of(defaults), arguments, std::cout);
   if (!line) return options::success;
   shot::Options o = shot::settled(shot::levels_of(*line));
   if (o.out == shot::default_out(o)) o.out += "_mesh";
@@ -82,11 +83,10 @@ int mesh(const options::Arguments &arguments) {
   ogive::add_frame(series, ogive::gather_frame(model));
   std::printf("Model of %s\n", o.out.c_str());
   print_bodies(model);
-  std::printf(
-      "\n  Masses are those of the whole model. Jacobian: the smallest scaled one, 1 for a brick. A particle's\n"
-      "  size is the particle distance.\n"
-      "  files %s\n",
-      (o.out / "mesh.pvd").c_str());
+  std::printf("\n  Masses are those of the whole model. Jacobian: the smallest scaled one, 1 for a brick. The size of\n"
+              "  a particle is the particle distance.\n"
+              "  files %s\n",
+              (o.out / "mesh.pvd").c_str());
   return options::success;
 }
 

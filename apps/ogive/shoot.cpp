@@ -25,30 +25,23 @@ struct General {
   bool resume = false;
 };
 
+// clang-format off
 options::Table table_of(shot::Options &o, General &general) {
   options::Table t = shot::table_of(o);
   t.group = "General";
-  options::Option &restart =
-      options::add(t, general.restart,
-                   {.key = "restart",
-                    .meaning = "resume from FILE, the checkpoint.bin of a run that was interrupted; the results are "
-                               "bit-identical to those of an uninterrupted run. Only --end-us, --out, "
-                               "--output-every-us, --checkpoint-every-us, --vtk, --picture, --quiet and --threads may "
-                               "be given anew",
-                    .source = "none: begin",
-                    .brief = "resume from the checkpoint of an interrupted run",
-                    .allowed = "the name of a checkpoint file",
-                    .in_file = false});
+  options::Option &restart = options::add(t, general.restart, {.key = "restart",
+      .meaning = "resume from FILE, the checkpoint.bin of a run that was interrupted; the results are "
+      "bit-identical to those of an uninterrupted run. Only --end-us, --out, --output-every-us, "
+      "--checkpoint-every-us, --vtk, --picture, --quiet and --threads may be given anew", .source = "none: begin",
+      .brief = "resume from the checkpoint of an interrupted run", .allowed = "the name of a checkpoint file",
+      .in_file = false});
   restart.placeholder = "FILE";
-  options::add(t, general.resume,
-               {.key = "resume",
-                .meaning =
-                    "resume from the checkpoint.bin in the folder for the results, if an interrupted run of this "
-                    "very case left one there; else begin",
-                .source = "no: ours",
-                .in_file = false});
+  options::add(t, general.resume, {.key = "resume", .meaning = "resume from the checkpoint.bin in the folder for "
+      "the results, if an interrupted run of this very case left one there; else begin", .source = "no: ours",
+      .in_file = false});
   return t;
 }
+// clang-format on
 
 } // namespace
 

@@ -27,41 +27,25 @@ struct SweepOptions {
   study::StudyOptions study;
 };
 
+// clang-format off
 options::Table table_of(shot::Options &o, SweepOptions &s) {
   options::Table t;
   t.group = "Study";
-  options::Option &cases =
-      options::add(t, s.cases,
-                   {.key = "cases",
-                    .meaning = "a list: columns are names of options (thickness_mm), each row is a "
-                               "case; columns name and text are notes",
-                    .source = "none: one case",
-                    .brief = "a list of cases: columns are names of options",
-                    .allowed = "the name of a CSV file",
-                    .in_file = false});
+  options::Option &cases = options::add(t, s.cases, {.key = "cases",
+      .meaning = "a list: columns are names of options (thickness_mm), each row is a case; columns name and text "
+      "are notes", .source = "none: one case", .brief = "a list of cases: columns are names of options",
+      .allowed = "the name of a CSV file", .in_file = false});
   cases.placeholder = "CASES.csv";
-  options::Option &vary =
-      options::add(t, s.vary,
-                   {.key = "vary",
-                    .meaning = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP: every case with each of these values; "
-                               "several multiply",
-                    .source = "none: ours",
-                    .brief = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP; several multiply",
-                    .allowed = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP",
-                    .in_file = false});
+  options::Option &vary = options::add(t, s.vary, {.key = "vary",
+      .meaning = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP: every case with each of these values; several "
+      "multiply", .source = "none: ours", .brief = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP; several multiply",
+      .allowed = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP", .in_file = false});
   vary.placeholder = "NAME=LIST...";
-  options::add(t, s.limit,
-               {.key = "limit",
-                .meaning = "find the ballistic limit of each case instead of one shot",
-                .source = "no: ours",
-                .brief = "the ballistic limit of each case instead of one shot",
-                .in_file = false});
-  options::add(t, s.width_mps,
-               {.key = "width_mps",
-                .meaning = "difference of the velocities between which a limit is to lie",
-                .source = "ours",
-                .limits = {0.1, 500, "m/s"},
-                .in_file = false});
+  options::add(t, s.limit, {.key = "limit", .meaning = "find the ballistic limit of each case instead of one shot",
+      .source = "no: ours", .brief = "the ballistic limit of each case instead of one shot", .in_file = false});
+  options::add(t, s.width_mps, {.key = "width_mps",
+      .meaning = "difference of the velocities between which a limit is to lie", .source = "ours",
+      .limits = {0.1, 500, "m/s"}, .in_file = false});
   study::add_study_options(t, s.study);
   for (options::Option option : shot::table_of(o).options) {
     if (option.key != std::string_view("out") && option.key != std::string_view("material")) option.brief = "";
@@ -69,6 +53,7 @@ options::Table table_of(shot::Options &o, SweepOptions &s) {
   }
   return t;
 }
+// clang-format on
 
 /// Columns of the list that differ between cases: what a reader wants to see beside the result.
 std::vector<std::size_t> varied_columns(const std::vector<study::Case> &cases) {
@@ -132,10 +117,9 @@ int sweep(const options::Arguments &arguments) {
   const options::Table table = table_of(defaults, s);
   const options::Command command{
       .name = "ogive sweep",
-      .purpose =
-          "Runs the cases of a list, or every combination of varied options, several at a time; with --limit their\n"
-          "ballistic limits. Ends with a table, OUT/shots.csv and a plot. Cases that have a row are not run\n"
-          "again; the same command resumes. Options of ogive shoot hold for all cases.\n",
+      .purpose = "Runs the cases of a list, or every combination of varied options, several at a time; with --limit\n"
+                 "their ballistic limits. Ends with a table, OUT/shots.csv and a plot. Cases that have a row are not\n"
+                 "run again; the same command resumes. Options of ogive shoot hold for all cases.\n",
       .usage = "[CASES.csv] [--vary NAME=LIST]... --out FOLDER [options]",
       .examples = "  ogive sweep --vary thickness_mm=6,8,10 --vary velocity_mps=200:400:25 --out thickness\n"
                   "  ogive sweep my_cases.csv --spacing-mm 1 --out my_study\n"

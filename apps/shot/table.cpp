@@ -27,85 +27,55 @@ std::string material_given(const Given &given) {
   return material;
 }
 
+// clang-format off
 void add_plate(Table &t, Options &o) {
   t.group = "Plate";
-  Option &material = add(t, o.material,
-                         {.key = "material",
-                          .meaning = "metal of the plate",
-                          .source = "paper",
-                          .brief = "metal of the plate: a name, or your FILE.toml"});
+  Option &material = add(t, o.material, {.key = "material", .meaning = "metal of the plate", .source = "paper",
+      .brief = "metal of the plate: a name, or your FILE.toml"});
   material.placeholder = "NAME|FILE.toml";
   material.allowed_text = materials::allowed_materials();
   material.range = ": " + material.allowed_text + "; \"ogive materials\" lists all constants";
   material.assign = [&o](const Given &given) { o.material = material_given(given); };
   material.names = materials::library_names();
-  add(t, o.model,
-      {.key = "model",
-       .meaning = "flow stress, modified or classical Johnson-Cook; a FILE.toml has its own",
-       .source = "paper"});
-  add(t, o.method,
-      {.key = "method",
-       .meaning = "how the plate holds together: particles as in the paper, which separate by themselves; particles "
-                  "stabilised by bonds, with damage; or hexes that turn into particles where damage has used them up",
-       .source = "paper",
-       .brief = "sfm (the paper's), stabilised or adaptive"});
-  add(t, o.damage,
-      {.key = "damage",
-       .meaning = "how damage grows, by D1 to D5 or by critical_work_MPa of the material",
-       .source = "none, jc with the methods beyond the paper: paper, ours"});
-  add(t, o.failure,
-      {.key = "failure",
-       .meaning = "effect of full damage (D = 1): none, pressure only, or no force at all",
-       .source = "none without --damage, else no_tension: ours"});
-  add(t, o.damage_softening,
-      {.key = "damage_softening",
-       .meaning = "part of the flow stress that full damage takes away",
-       .source = "0, 0.3 with --method stabilised, 0.6 with --method adaptive: Boervik et al. 2001, ours",
-       .limits = {0, 1, ""}});
-  add(t, o.damage_length_mm,
-      {.key = "damage_length_mm",
-       .meaning = "particle distance for which the constants of damage hold; failure strains grow with finer ones; 0: "
-                  "hold for any",
-       .source = "0, shear_length_mm of the material with --method stabilised, 0.22 with --method adaptive: ours",
-       .limits = {0, 100, "mm"}});
-  add(t, o.damage_length_exponent,
-      {.key = "damage_length_exponent",
-       .meaning = "of --damage-length-mm over the particle distance in failure strains; 1 keeps the displacement that "
-                  "breaks a band, 0 the strain",
-       .source = "1, 0.25 with --method adaptive: ours",
-       .limits = {0, 2, ""}});
-  add(t, o.damage_length_scope,
-      {.key = "damage_length_scope",
-       .meaning = "stresses at which failure strains follow --damage-length-mm: any, or in full up to triaxiality 0, "
-                  "less and less up to 1/3",
-       .source = "everywhere, in_shear with --method stabilised: ours"});
-  add(t, o.damage_pressure,
-      {.key = "damage_pressure",
-       .meaning = "pressure that damage follows: each particle's own, or the mean of its neighbours",
-       .source = "own, neighbours with --method stabilised: ours"});
-  add(t, o.thickness_mm,
-      {.key = "thickness_mm",
-       .meaning = "of the plate",
-       .source = "paper, Fig. 11",
-       .brief = "thickness of the plate",
-       .limits = {0.5, 100, "mm"}});
-  add(t, o.layers_mm,
-      {.key = "layers_mm",
-       .meaning = "thicknesses of several plates behind each other, from front to rear, instead of --thickness-mm; one "
-                  "alone with --method adaptive",
-       .source = "none: one plate",
-       .brief = "several plates instead, from front to rear",
-       .limits = {0.5, 100, "mm"}});
-  add(t, o.gaps_mm,
-      {.key = "gaps_mm",
-       .meaning = "free distances between the plates of --layers-mm, one for all or one less than plates",
-       .source = "0: they touch",
-       .limits = {0, 1000, "mm"}});
-  Option &layers = options::add_option(t,
-                                       {.key = "layer_materials",
-                                        .meaning = "of the plates of --layers-mm, one for each",
-                                        .source = "that of --material: the same for all"},
-                                       options::Kind::texts, "NAME,NAME,...");
+  add(t, o.model, {.key = "model",
+      .meaning = "flow stress, modified or classical Johnson-Cook; a FILE.toml has its own", .source = "paper"});
+  add(t, o.method, {.key = "method", .meaning = "how the plate holds together: particles as in the paper, which "
+      "separate by themselves; particles stabilised by bonds, with damage; or hexes that turn into particles "
+      "where damage has used them up", .source = "paper", .brief = "sfm (the paper's), stabilised or adaptive"});
+  add(t, o.damage, {.key = "damage",
+      .meaning = "how damage grows, by D1 to D5 or by critical_work_MPa of the material",
+      .source = "none, jc with the methods beyond the paper: paper, ours"});
+  add(t, o.failure, {.key = "failure",
+      .meaning = "effect of full damage (D = 1): none, pressure only, or no force at all",
+      .source = "none without --damage, else no_tension: ours"});
+  add(t, o.damage_softening, {.key = "damage_softening",
+      .meaning = "part of the flow stress that full damage takes away",
+      .source = "0, 0.3 with --method stabilised, 0.6 with --method adaptive: Boervik et al. 2001, ours",
+      .limits = {0, 1, ""}});
+  add(t, o.damage_length_mm, {.key = "damage_length_mm", .meaning = "particle distance for which the constants of "
+      "damage hold; failure strains grow with finer ones; 0: hold for any",
+      .source = "0, shear_length_mm of the material with --method stabilised, 0.22 with --method adaptive: ours",
+      .limits = {0, 100, "mm"}});
+  add(t, o.damage_length_exponent, {.key = "damage_length_exponent",
+      .meaning = "of --damage-length-mm over the particle distance in failure strains; 1 keeps the displacement "
+      "that breaks a band, 0 the strain", .source = "1, 0.25 with --method adaptive: ours", .limits = {0, 2, ""}});
+  add(t, o.damage_length_scope, {.key = "damage_length_scope",
+      .meaning = "stresses at which failure strains follow --damage-length-mm: any, or in full up to triaxiality "
+      "0, less and less up to 1/3", .source = "everywhere, in_shear with --method stabilised: ours"});
+  add(t, o.damage_pressure, {.key = "damage_pressure",
+      .meaning = "pressure that damage follows: each particle's own, or the mean of its neighbours",
+      .source = "own, neighbours with --method stabilised: ours"});
+  add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "of the plate", .source = "paper, Fig. 11",
+      .brief = "thickness of the plate", .limits = {0.5, 100, "mm"}});
+  add(t, o.layers_mm, {.key = "layers_mm", .meaning = "thicknesses of several plates behind each other, from front "
+      "to rear, instead of --thickness-mm; one alone with --method adaptive", .source = "none: one plate",
+      .brief = "several plates instead, from front to rear", .limits = {0.5, 100, "mm"}});
+  add(t, o.gaps_mm, {.key = "gaps_mm",
+      .meaning = "free distances between the plates of --layers-mm, one for all or one less than plates",
+      .source = "0: they touch", .limits = {0, 1000, "mm"}});
+  Option &layers = options::add_option(t, {.key = "layer_materials",
+      .meaning = "of the plates of --layers-mm, one for each",
+      .source = "that of --material: the same for all"}, options::Kind::texts, "NAME,NAME,...");
   layers.range = ": as for --material, with commas between them";
   layers.allowed_text = "materials with commas between them, each " + materials::allowed_materials();
   layers.assign = [&o](const Given &given) {
@@ -117,156 +87,91 @@ void add_plate(Table &t, Options &o) {
     for (const auto &name : o.layer_materials) text += (text.empty() ? "[" : ", ") + options::toml_string(name);
     return text.empty() ? "" : text + "]";
   };
-  add(t, o.clamp_radius_mm,
-      {.key = "clamp_radius_mm",
-       .meaning = "radius at which the plate is clamped",
-       .source = "tests",
-       .limits = {12, 2000, "mm"}});
+  add(t, o.clamp_radius_mm, {.key = "clamp_radius_mm", .meaning = "radius at which the plate is clamped",
+      .source = "tests", .limits = {12, 2000, "mm"}});
 }
 
 void add_projectile(Table &t, Options &o) {
   t.group = "Projectile";
-  add(t, o.nose,
-      {.key = "nose",
-       .meaning = "20 mm in diameter and 197 g unless other sizes are given",
-       .source = "paper, Fig. 11",
-       .brief = "blunt, conical, ogival or hemispherical"});
-  add(t, o.diameter_mm,
-      {.key = "diameter_mm",
-       .meaning = "of the shank",
-       .source = "paper",
-       .brief = "diameter of the projectile",
-       .limits = {1, 200, "mm"}});
-  add(t, o.length_mm,
-      {.key = "length_mm",
-       .meaning = "from tip to tail",
-       .source = "80 blunt, 98 conical, 94.6 ogival, 83.2 hemispherical, times diameter/20 mm: paper",
-       .limits = {1, 2000, "mm"}});
-  add(t, o.nose_length_mm,
-      {.key = "nose_length_mm",
-       .meaning = "of a conical or ogival nose",
-       .source = "30 conical, 33 ogival, times diameter/20 mm: paper",
-       .limits = {0, 1000, "mm"}});
-  add(t, o.calibre_radius_head,
-      {.key = "calibre_radius_head",
-       .meaning = "radius of an ogive over the diameter, instead of --nose-length-mm",
-       .source = "none: by the length",
-       .limits = {0, 50, ""}});
-  add(t, o.edge_radius_mm,
-      {.key = "edge_radius_mm",
-       .meaning = "of the edge of a blunt nose, at most twice the particle distance",
-       .source = "0: sharp",
-       .limits = {0, 25, "mm"}});
-  add(t, o.mass_g,
-      {.key = "mass_g",
-       .meaning = "of the projectile, by its density; 0: that of tool steel",
-       .source = "paper",
-       .brief = "mass of the projectile; 0: solid tool steel",
-       .limits = {0, 1e6, "g"}});
-  add(t, o.obliquity_deg,
-      {.key = "obliquity_deg",
-       .meaning = "angle between the line of flight and the plate's axis; needs --extent half or full",
-       .source = "tests",
-       .limits = {0, 60, "deg"}});
+  add(t, o.nose, {.key = "nose", .meaning = "20 mm in diameter and 197 g unless other sizes are given",
+      .source = "paper, Fig. 11", .brief = "blunt, conical, ogival or hemispherical"});
+  add(t, o.diameter_mm, {.key = "diameter_mm", .meaning = "of the shank", .source = "paper",
+      .brief = "diameter of the projectile", .limits = {1, 200, "mm"}});
+  add(t, o.length_mm, {.key = "length_mm", .meaning = "from tip to tail",
+      .source = "80 blunt, 98 conical, 94.6 ogival, 83.2 hemispherical, times diameter/20 mm: paper",
+      .limits = {1, 2000, "mm"}});
+  add(t, o.nose_length_mm, {.key = "nose_length_mm", .meaning = "of a conical or ogival nose",
+      .source = "30 conical, 33 ogival, times diameter/20 mm: paper", .limits = {0, 1000, "mm"}});
+  add(t, o.calibre_radius_head, {.key = "calibre_radius_head",
+      .meaning = "radius of an ogive over the diameter, instead of --nose-length-mm",
+      .source = "none: by the length", .limits = {0, 50, ""}});
+  add(t, o.edge_radius_mm, {.key = "edge_radius_mm",
+      .meaning = "of the edge of a blunt nose, at most twice the particle distance", .source = "0: sharp",
+      .limits = {0, 25, "mm"}});
+  add(t, o.mass_g, {.key = "mass_g", .meaning = "of the projectile, by its density; 0: that of tool steel",
+      .source = "paper", .brief = "mass of the projectile; 0: solid tool steel", .limits = {0, 1e6, "g"}});
+  add(t, o.obliquity_deg, {.key = "obliquity_deg",
+      .meaning = "angle between the line of flight and the plate's axis; needs --extent half or full",
+      .source = "tests", .limits = {0, 60, "deg"}});
   add(t, o.projectile, {.key = "projectile", .meaning = "deformable tool steel, or rigid", .source = "paper"});
-  add(t, o.velocity_mps,
-      {.key = "velocity_mps",
-       .meaning = "initial velocity",
-       .source = "tests",
-       .brief = "initial velocity",
-       .limits = {1, 3000, "m/s"}});
-  add(t, o.friction,
-      {.key = "friction",
-       .meaning = "Coulomb friction between plate and projectile",
-       .source = "0 blunt; else 0.08 on weldox_460e and on FILE.toml, 0.02 on aa5083_h116: paper",
-       .limits = {0, 2, ""}});
+  add(t, o.velocity_mps, {.key = "velocity_mps", .meaning = "initial velocity", .source = "tests",
+      .brief = "initial velocity", .limits = {1, 3000, "m/s"}});
+  add(t, o.friction, {.key = "friction", .meaning = "Coulomb friction between plate and projectile",
+      .source = "0 blunt; else 0.08 on weldox_460e and on FILE.toml, 0.02 on aa5083_h116: paper",
+      .limits = {0, 2, ""}});
 }
 
 void add_discretisation(Table &t, Options &o) {
   t.group = "Discretisation";
-  add(t, o.spacing_mm,
-      {.key = "spacing_mm",
-       .meaning = "particle distance, with --method adaptive size of the hexes, at most half the thickness",
-       .source = "paper",
-       .brief = "particle distance; time grows with its fourth power",
-       .limits = {0.05, 5, "mm"}});
-  add(t, o.sph_radius_mm,
-      {.key = "sph_radius_mm",
-       .meaning = "radius of the particles' disc, or of the hexes that can turn into particles, from the projectile's "
-                  "radius and two spacings to less than the clamp radius",
-       .source = "paper",
-       .limits = {10.1, 2000, "mm"}});
+  add(t, o.spacing_mm, {.key = "spacing_mm",
+      .meaning = "particle distance, with --method adaptive size of the hexes, at most half the thickness",
+      .source = "paper", .brief = "particle distance; time grows with its fourth power",
+      .limits = {0.05, 5, "mm"}});
+  add(t, o.sph_radius_mm, {.key = "sph_radius_mm", .meaning = "radius of the particles' disc, or of the hexes that "
+      "can turn into particles, from the projectile's radius and two spacings to less than the clamp radius",
+      .source = "paper", .limits = {10.1, 2000, "mm"}});
   add(t, o.extent, {.key = "extent", .meaning = "how much of the round model is computed", .source = "paper"});
   add(t, o.lattice, {.key = "lattice", .meaning = "arrangement of the particles", .source = "ours"});
   add(t, o.form, {.key = "form", .meaning = "SPH with corrected gradients, or the textbook's", .source = "ours"});
   add(t, o.kernel, {.key = "kernel", .meaning = "of SPH", .source = "ours"});
-  add(t, o.smoothing,
-      {.key = "smoothing", .meaning = "smoothing length, constant or following the density", .source = "ours"});
+  add(t, o.smoothing, {.key = "smoothing", .meaning = "smoothing length, constant or following the density",
+      .source = "ours"});
   add(t, o.element, {.key = "element", .meaning = "integration of the hexes", .source = "ours"});
   add(t, o.pressure, {.key = "pressure", .meaning = "pressure law", .source = "ours"});
-  add(t, o.control_stiffness,
-      {.key = "control_stiffness",
-       .meaning = "of the bonds against zero-energy modes, over the shear modulus; 0: no bonds",
-       .source = "0, 0.3 with --method stabilised: paper, ours",
-       .limits = {0, 2, ""}});
-  add(t, o.contact_stiffness,
-      {.key = "contact_stiffness",
-       .meaning = "penalty stiffness of the contact, over mass/(time step)^2",
-       .source = "ours",
-       .limits = {0.001, 0.5, ""}});
-  add(t, o.linear_viscosity,
-      {.key = "linear_viscosity",
-       .meaning = "alpha of the artificial viscosity of SPH",
-       .source = "ours",
-       .limits = {0, 2, ""}});
-  add(t, o.quadratic_viscosity,
-      {.key = "quadratic_viscosity",
-       .meaning = "beta of the artificial viscosity of SPH",
-       .source = "ours",
-       .limits = {0, 5, ""}});
+  add(t, o.control_stiffness, {.key = "control_stiffness",
+      .meaning = "of the bonds against zero-energy modes, over the shear modulus; 0: no bonds",
+      .source = "0, 0.3 with --method stabilised: paper, ours", .limits = {0, 2, ""}});
+  add(t, o.contact_stiffness, {.key = "contact_stiffness",
+      .meaning = "penalty stiffness of the contact, over mass/(time step)^2", .source = "ours",
+      .limits = {0.001, 0.5, ""}});
+  add(t, o.linear_viscosity, {.key = "linear_viscosity", .meaning = "alpha of the artificial viscosity of SPH",
+      .source = "ours", .limits = {0, 2, ""}});
+  add(t, o.quadratic_viscosity, {.key = "quadratic_viscosity", .meaning = "beta of the artificial viscosity of SPH",
+      .source = "ours", .limits = {0, 5, ""}});
 }
 
 void add_run(Table &t, Options &o) {
   t.group = run_group;
-  add(t, o.end_us,
-      {.key = "end_us",
-       .meaning = "time at which the run ends",
-       .source = "500 blunt, else 1500; most runs end by themselves: ours",
-       .limits = {1, 100000, "us"}});
-  add(t, o.settle_us,
-      {.key = "settle_us",
-       .meaning =
-           "time to continue once the shot is decided: the plate swings, dishing_at_rest_mm is its mean over that "
-           "time",
-       .source = "0: none",
-       .limits = {0, 100000, "us"}});
-  add(t, o.out,
-      {.key = "out",
-       .meaning = "folder for the results",
-       .source = "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps and every option that differs from its default: "
-                 "ours",
-       .brief = "folder for the results"});
-  add(t, o.output_every_us,
-      {.key = "output_every_us",
-       .meaning = "time between two frames",
-       .source = "ours",
-       .limits = {0.5, 100000, "us"}});
-  add(t, o.checkpoint_every_us,
-      {.key = "checkpoint_every_us",
-       .meaning = "time between two checkpoints, from which --restart resumes; 0: one every 15 minutes of work. Ctrl-C "
-                  "(SIGINT), SIGTERM and SIGHUP write one in any case",
-       .source = "ours",
-       .limits = {0, 100000, "us"}});
+  add(t, o.end_us, {.key = "end_us", .meaning = "time at which the run ends",
+      .source = "500 blunt, else 1500; most runs end by themselves: ours", .limits = {1, 100000, "us"}});
+  add(t, o.settle_us, {.key = "settle_us", .meaning = "time to continue once the shot is decided: the plate "
+      "swings, dishing_at_rest_mm is its mean over that time", .source = "0: none", .limits = {0, 100000, "us"}});
+  add(t, o.out, {.key = "out", .meaning = "folder for the results",
+      .source = "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps and every option that differs from its "
+      "default: ours", .brief = "folder for the results"});
+  add(t, o.output_every_us, {.key = "output_every_us", .meaning = "time between two frames", .source = "ours",
+      .limits = {0.5, 100000, "us"}});
+  add(t, o.checkpoint_every_us, {.key = "checkpoint_every_us",
+      .meaning = "time between two checkpoints, from which --restart resumes; 0: one every 15 minutes of work. "
+      "Ctrl-C (SIGINT), SIGTERM and SIGHUP write one in any case", .source = "ours", .limits = {0, 100000, "us"}});
   add(t, o.vtk, {.key = "vtk", .meaning = "write VTK files", .source = "ours"});
   add(t, o.picture, {.key = "picture", .meaning = "draw the section picture", .source = "ours"});
   add(t, o.quiet, {.key = "quiet", .meaning = "no progress on the terminal", .source = "ours"});
-  add(t, o.threads,
-      {.key = "threads",
-       .meaning = "OpenMP threads",
-       .source = "all: OMP_NUM_THREADS or the number of cores",
-       .brief = "threads",
-       .limits = {1, most_threads(), ""}});
+  add(t, o.threads, {.key = "threads", .meaning = "OpenMP threads",
+      .source = "all: OMP_NUM_THREADS or the number of cores", .brief = "threads",
+      .limits = {1, most_threads(), ""}});
 }
+// clang-format on
 
 } // namespace
 

@@ -177,31 +177,21 @@ CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<st
   return all;
 }
 
+// clang-format off
 void add_study_options(options::Table &t, StudyOptions &o) {
   t.group = "Study";
-  options::add(t, o.jobs,
-               {.key = "jobs",
-                .meaning = "shots at a time; they share the cores",
-                .source = "as many as cores: one core a shot is the best use of a machine",
-                .brief = "shots at a time",
-                .limits = {1, 1000, ""},
-                .in_file = false});
-  options::Option &shard = options::add(
-      t, o.shard,
-      {.key = "shard",
-       .meaning = "run only the I-th of N parts of the study, for several machines; the shots of one limit "
-                  "stay together; draws nothing",
-       .source = "1/1: all",
-       .brief = "run only the I-th of N parts",
-       .allowed = "I/N with whole numbers 1 <= I <= N",
-       .in_file = false});
+  options::add(t, o.jobs, {.key = "jobs", .meaning = "shots at a time; they share the cores",
+      .source = "as many as cores: one core a shot is the best use of a machine", .brief = "shots at a time",
+      .limits = {1, 1000, ""}, .in_file = false});
+  options::Option &shard = options::add( t, o.shard, {.key = "shard",
+      .meaning = "run only the I-th of N parts of the study, for several machines; the shots of one limit stay "
+      "together; draws nothing", .source = "1/1: all", .brief = "run only the I-th of N parts",
+      .allowed = "I/N with whole numbers 1 <= I <= N", .in_file = false});
   shard.placeholder = "I/N";
-  options::add(t, o.run,
-               {.key = "run",
-                .meaning = "run what is missing; --no-run draws only what is known",
-                .source = "yes: ours",
-                .in_file = false});
+  options::add(t, o.run, {.key = "run", .meaning = "run what is missing; --no-run draws only what is known",
+      .source = "yes: ours", .in_file = false});
 }
+// clang-format on
 
 Study study_of(const StudyOptions &o, const std::filesystem::path &out) {
   Study study{.out = out};

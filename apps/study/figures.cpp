@@ -42,14 +42,11 @@ void add_choice(options::Table &t, std::string &value, const options::Entry &ent
   };
 }
 
+// clang-format off
 options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &s) {
   options::Table t;
-  options::Option &figure = options::add(t, o.figure,
-                                         {.key = "figure",
-                                          .meaning = "this one alone",
-                                          .source = "all: ours",
-                                          .brief = "this one alone",
-                                          .limits = {1, 99, ""}});
+  options::Option &figure = options::add(t, o.figure, {.key = "figure", .meaning = "this one alone",
+      .source = "all: ours", .brief = "this one alone", .limits = {1, 99, ""}});
   figure.allowed_text = "one of " + figures_of(figures);
   figure.range = ", of " + figures_of(figures);
   figure.assign = [&o, list = figures.figures, allowed = figure.allowed_text](const Given &given) {
@@ -58,11 +55,8 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
     o.figure = static_cast<int>(*number);
     if (std::find(list.begin(), list.end(), o.figure) == list.end()) refuse(given, "must be " + allowed);
   };
-  options::add(t, o.quick,
-               {.key = "quick",
-                .meaning = "coarse: particles 1.5 mm apart, in vtk_out/figures_quick",
-                .source = "no: ours",
-                .brief = "coarse: particles 1.5 mm apart"});
+  options::add(t, o.quick, {.key = "quick", .meaning = "coarse: particles 1.5 mm apart, in vtk_out/figures_quick",
+      .source = "no: ours", .brief = "coarse: particles 1.5 mm apart"});
   add_choice(t, o.method,
              {.key = "method",
               .meaning = "adds its curves to the plots, with mjc only",
@@ -77,23 +71,17 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
               .brief = "flow stress: mjc, jc or both",
               .allowed = "mjc, jc or both"},
              {"mjc", "jc", "both"});
-  options::add(t, o.spacing_mm,
-               {.key = "spacing_mm",
-                .meaning = "particle distance",
-                .source = "paper",
-                .brief = "particle distance",
-                .limits = {0.05, 5, "mm"}});
+  options::add(t, o.spacing_mm, {.key = "spacing_mm", .meaning = "particle distance", .source = "paper",
+      .brief = "particle distance", .limits = {0.05, 5, "mm"}});
   options::add(t, o.limits, {.key = "limits", .meaning = "bisect the ballistic limits", .source = "ours"});
-  options::add(t, o.pictures,
-               {.key = "pictures", .meaning = "shots that are for pictures alone, and frames", .source = "ours"});
-  options::add(t, o.out,
-               {.key = "out",
-                .meaning = "folder for rows, shots and pictures; shards may share it",
-                .source = "vtk_out/figures: ours",
-                .brief = "folder for the results"});
+  options::add(t, o.pictures, {.key = "pictures", .meaning = "shots that are for pictures alone, and frames",
+      .source = "ours"});
+  options::add(t, o.out, {.key = "out", .meaning = "folder for rows, shots and pictures; shards may share it",
+      .source = "vtk_out/figures: ours", .brief = "folder for the results"});
   add_study_options(t, s);
   return t;
 }
+// clang-format on
 
 std::vector<Series> curves_in(const std::vector<FigureShot> &shots, const Study &study) {
   std::vector<Case> cases;

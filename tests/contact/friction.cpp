@@ -7,7 +7,7 @@ using fem_test::Noise;
 
 namespace {
 
-constexpr double dt = 1e-7, mu = 0.2, gravity = Sledge::gravity, mass = Sledge::mass, offset = Sledge::offset;
+constexpr double dt = 1e-7, mu = 0.2, gravity = Sledge::gravity, block_mass = Sledge::mass, offset = Sledge::offset;
 
 } // namespace
 
@@ -26,8 +26,8 @@ TEST_CASE("a sliding block stops after v^2/(2 mu g)", "[contact]") {
   // Half a step at full speed, 0.5 %, and the last centimetre per second, which the cap on sticking lets creep: 0.2 %.
   CHECK(sledge.nodes.position[sledge.runners.begin][0] - start == Approx(distance).epsilon(0.01));
   // The ledger takes what the block has lost.
-  CHECK(friction_energy(sledge.contact) == Approx(4 * 0.5 * mass * speed * speed).epsilon(0.01));
-  CHECK(std::abs(normal_energy(sledge.contact)) < 1e-6 * mass * speed * speed);
+  CHECK(friction_energy(sledge.contact) == Approx(4 * 0.5 * block_mass * speed * speed).epsilon(0.01));
+  CHECK(std::abs(normal_energy(sledge.contact)) < 1e-6 * block_mass * speed * speed);
 }
 
 TEST_CASE("without friction the block goes on at its speed", "[contact]") {
@@ -38,11 +38,11 @@ TEST_CASE("without friction the block goes on at its speed", "[contact]") {
 }
 
 TEST_CASE("below the limit a pulled block sticks, above it slides", "[contact]") {
-  const double limit = mu * mass * gravity;
+  const double limit = mu * block_mass * gravity;
   Sledge stuck(mu);
   for (int i = 0; i < 400; ++i) stuck.advance(0.5 * limit);
   // Sticking is a viscous law, 0.3 m v/dt: the block creeps at F dt/(0.3 m), the speed of 1.7 steps of free pull.
-  const double creep = 0.5 * limit * dt / (0.3 * mass);
+  const double creep = 0.5 * limit * dt / (0.3 * block_mass);
   CHECK(stuck.nodes.velocity[stuck.runners.begin][0] == Approx(creep).epsilon(1e-6));
 
   Sledge sliding(mu);
@@ -50,7 +50,7 @@ TEST_CASE("below the limit a pulled block sticks, above it slides", "[contact]")
   for (int i = 0; i < steps; ++i) sliding.advance(1.5 * limit);
   // (F - mu N)/m, but for the first steps in which friction still builds up: at most the speed of creep at the limit.
   CHECK(sliding.nodes.velocity[sliding.runners.begin][0] ==
-        Approx(0.5 * limit / mass * steps * dt).margin(limit * dt / (0.3 * mass)));
+        Approx(0.5 * limit / block_mass * steps * dt).margin(limit * dt / (0.3 * block_mass)));
 }
 
 TEST_CASE("friction opposes sliding, is at most mu N and never turns a slave back", "[contact]") {
@@ -61,13 +61,13 @@ TEST_CASE("friction opposes sliding, is at most mu N and never turns a slave bac
     touch.direction = noise.vector().normalized();
     touch.depth = 1e-6 * std::pow(10.0, 2 * noise());
     const V v = std::pow(10.0, 3 * noise()) * noise.vector();
-    const auto c = contact_force(touch, ContactOptions<double>{.friction = mu}, v, mass, dt);
+    const auto c = contact_force(touch, ContactOptions<double>{.friction = mu}, v, block_mass, dt);
     const V sliding = v - v.dot(touch.direction) * touch.direction;
-    REQUIRE(c.normal.dot(touch.direction) == Approx(0.1 * mass / (dt * dt) * touch.depth));
+    REQUIRE(c.normal.dot(touch.direction) == Approx(0.1 * block_mass / (dt * dt) * touch.depth));
     REQUIRE(c.friction.norm() <= mu * c.normal.norm() * (1 + 1e-12));
     REQUIRE(std::abs(c.friction.dot(touch.direction)) <= 1e-12 * c.normal.norm());
     REQUIRE(c.friction.dot(sliding) < 0);
-    const V after = sliding + dt / mass * c.friction;
+    const V after = sliding + dt / block_mass * c.friction;
     REQUIRE(after.dot(sliding) > 0); // slower, not backwards
     REQUIRE(after.norm() < sliding.norm());
   }
@@ -83,7 +83,7 @@ TEST_CASE("reactions oppose the forces on the slaves", "[contact]") {
     Noise noise{99};
     std::vector<V> around;
     for (int i = 0; i < 300; ++i) around.emplace_back(V::Constant(1.5e-3) + 2.2e-3 * noise.vector());
-    const NodeRange slaves = add_free(nodes, around, mass);
+    const NodeRange slaves = add_free(nodes, around, block_mass);
     for (V &v : nodes.velocity) v = 50 * noise.vector();
     auto contact = contact_of(nodes, slaves, offset, block.facets, {.friction = friction});
     add_contact_force(contact, nodes, 0.0, dt);
