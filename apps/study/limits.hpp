@@ -3,7 +3,7 @@
 
 #include "study.hpp"
 
-#include "ogive/fit/ballistic_limit.hpp"
+#include "instances/fits.hpp"
 #include "ogive/perforation/limit_search.hpp"
 
 #include <optional>

@@ -2,6 +2,7 @@
 #include "law_curves.hpp"
 
 #include "catch.hpp"
+#include "fits.hpp"
 
 #include "ogive/fit/calibration.hpp"
 #include "ogive/fit/simultaneous.hpp"

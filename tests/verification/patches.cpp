@@ -4,7 +4,7 @@
 #include "record.hpp"
 #include "sph/block.hpp"
 
-#include "ogive/sph/force.hpp"
+#include "ogive/sim/step.hpp"
 
 namespace verification {
 
@@ -99,6 +99,8 @@ HandedOver handed_over() {
 template <class Body> double stress_after_turn(Body &body, Nodes<double> &nodes) {
   const std::vector<V> start = nodes.position;
   const double dt = 5e-8;
+  PhaseTimes times;
+  Lap lap(times);
   for (int i = 1; i <= 629; ++i) {
     const M R = fem_test::rotation(V(1, 2, -1), 0.01 * i);
     for (Index n = 0; n < nodes.size(); ++n) {
@@ -106,9 +108,7 @@ template <class Body> double stress_after_turn(Body &body, Nodes<double> &nodes)
       nodes.velocity[n] = (x - nodes.position[n]) / dt;
       nodes.position[n] = x;
     }
-    prepare(body, nodes);
-    velocity_gradient(body);
-    update_stress(body, dt);
+    update_body(body, nodes, dt, lap);
   }
   double largest = 0;
   for (Index i = 0; i < body.points.size(); ++i)

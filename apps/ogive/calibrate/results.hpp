@@ -3,6 +3,8 @@
 
 #include "options.hpp"
 
+#include "instances/fits.hpp"
+
 #include "ogive/fit/calibration.hpp"
 #include "ogive/fit/simultaneous.hpp"
 

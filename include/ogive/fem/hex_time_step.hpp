@@ -79,12 +79,15 @@ FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners
   if constexpr (Chosen::points == 1) {
     motion.omega_squared = T(2) * mu * largest_eigenvalue_bound<T>(S) + std::max(lambda, T(0)) * trace(S);
   } else {
-    motion.omega_squared = bulk * trace(S);
-    for (int p = 0; p < Chosen::points; ++p) {
+    const auto of_point = [&](int p) {
       const PointGradient<N> point = point_gradient<N>(x, p);
       const Sym3<N> at_point = gradient_moment<N>(point.gradient, inverse_mass);
-      motion.omega_squared += T(2) * mu * point.volume * largest_eigenvalue_bound<T>(at_point);
-    }
+      return N(T(2) * mu * point.volume * largest_eigenvalue_bound<T>(at_point));
+    };
+    // Of a sum of two products the compiler fuses one, and which one would depend on what else it compiles: max(), of
+    // what is positive, leaves it no choice.
+    motion.omega_squared = bulk * trace(S) + max(of_point(0), N(0));
+    for (int p = 1; p < Chosen::points; ++p) motion.omega_squared += of_point(p);
   }
 
   const HexOptions<T> &options = body.options;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <functional>
 #include <unsupported/Eigen/LevenbergMarquardt>
 #include <utility>
 
@@ -28,18 +29,21 @@ template <class F> Eigen::MatrixXd central_differences(F &&f, const Eigen::Vecto
 
 namespace least_squares_detail {
 
+/// A vector function of parameters, of whatever type: what is made of Eigen is compiled once for all of them.
+template <class Vector> using Function = std::function<Vector(const Vector &)>;
+
 /// What Eigen's Levenberg-Marquardt asks for, in parameters of size one.
-template <class Residual> struct Problem {
-  using Scalar = double;
+template <class Vector> struct Problem {
+  using Scalar = typename Vector::Scalar;
   using Index = Eigen::Index;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
+  using InputType = Vector;
+  using ValueType = Vector;
+  using JacobianType = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using QRSolver = Eigen::ColPivHouseholderQR<JacobianType>;
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
 
-  Residual &residual;
-  Eigen::VectorXd scale;
+  const Function<Vector> &residual;
+  Vector scale;
   Index value_count;
 
   Index inputs() const { return scale.size(); }
@@ -49,11 +53,23 @@ template <class Residual> struct Problem {
     return 0;
   }
   int df(const InputType &x, JacobianType &slope) const {
-    const auto scaled = [&](const InputType &y) { return Eigen::VectorXd(residual(InputType(y.cwiseProduct(scale)))); };
+    const auto scaled = [&](const InputType &y) { return residual(InputType(y.cwiseProduct(scale))); };
     slope = central_differences(scaled, x, InputType::Ones(x.size()));
     return 0;
   }
 };
+
+/// least_squares() of a function.
+template <class Vector> Vector minimised(const Function<Vector> &residual, const Vector &start, const Vector &scale) {
+  Problem<Vector> problem{residual, scale, residual(start).size()};
+  Eigen::LevenbergMarquardt solver(problem);
+  solver.setFtol(1e-15);
+  solver.setXtol(1e-13);
+  solver.setMaxfev(400);
+  Vector x = start.cwiseQuotient(scale);
+  solver.minimize(x);
+  return x.cwiseProduct(scale);
+}
 
 } // namespace least_squares_detail
 
@@ -62,15 +78,8 @@ template <class Residual> struct Problem {
 /// as parameters.
 template <class Residual>
 Eigen::VectorXd least_squares(Residual &&residual, const Eigen::VectorXd &start, const Eigen::VectorXd &scale) {
-  const Eigen::Index values = Eigen::VectorXd(residual(start)).size();
-  least_squares_detail::Problem<std::remove_reference_t<Residual>> problem{residual, scale, values};
-  Eigen::LevenbergMarquardt solver(problem);
-  solver.setFtol(1e-15);
-  solver.setXtol(1e-13);
-  solver.setMaxfev(400);
-  Eigen::VectorXd x = start.cwiseQuotient(scale);
-  solver.minimize(x);
-  return x.cwiseProduct(scale);
+  return least_squares_detail::minimised<Eigen::VectorXd>(
+      [&](const Eigen::VectorXd &x) { return Eigen::VectorXd(residual(x)); }, start, scale);
 }
 
 /// Factors sqrt(n/(n - p)) for each equation: n the points that it uses, p the equations that use the same
@@ -87,19 +96,29 @@ inline Eigen::VectorXd small_sample_factors(const Eigen::MatrixXd &scores) {
   return factor;
 }
 
+namespace least_squares_detail {
+
+/// H^-1 (sum g g') H^-T with the rows g' and the factors for few points; parameters of the size `scale`, by which H is
+/// multiplied already.
+template <class Matrix> Matrix sandwich(Matrix H, const Matrix &g, const Eigen::VectorXd &scale) {
+  // Equations of different units may differ by many powers of ten; the covariance does not depend on their size.
+  const Eigen::VectorXd size = H.rowwise().norm().cwiseMax(1e-300).cwiseInverse();
+  H = size.asDiagonal() * H;
+  const Matrix h = g * size.cwiseProduct(small_sample_factors(g)).asDiagonal();
+  const Matrix half = scale.asDiagonal() * H.fullPivLu().solve(h.transpose());
+  return half * half.transpose();
+}
+
+} // namespace least_squares_detail
+
 /// Covariance H^-1 (sum g g') H^-T, H the derivative of sum g (M-estimation: Huber 1967, White 1980), times n/(n - p)
 /// for the few points of each step. `scores(x)` gives one row g' for each point.
 template <class Scores>
 Eigen::MatrixXd sandwich_covariance(Scores &&scores, const Eigen::VectorXd &x, const Eigen::VectorXd &scale) {
   const Eigen::MatrixXd g = scores(x);
   const auto sum = [&](const Eigen::VectorXd &y) { return Eigen::VectorXd(scores(y).colwise().sum().transpose()); };
-  Eigen::MatrixXd H = central_differences(sum, x, scale) * scale.asDiagonal();
-  // Equations of different units may differ by many powers of ten; the covariance does not depend on their size.
-  const Eigen::VectorXd size = H.rowwise().norm().cwiseMax(1e-300).cwiseInverse();
-  H = size.asDiagonal() * H;
-  const Eigen::MatrixXd h = g * size.cwiseProduct(small_sample_factors(g)).asDiagonal();
-  const Eigen::MatrixXd half = scale.asDiagonal() * H.fullPivLu().solve(h.transpose());
-  return half * half.transpose();
+  const Eigen::MatrixXd H = central_differences(sum, x, scale) * scale.asDiagonal();
+  return least_squares_detail::sandwich<Eigen::MatrixXd>(H, g, scale);
 }
 
 /// Covariance of the function `f` of parameters with this covariance, to first order (delta method).

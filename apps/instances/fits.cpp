@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fits.hpp"
+
+namespace ogive {
+
+OGIVE_FITS()
+
+} // namespace ogive
