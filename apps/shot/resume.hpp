@@ -14,7 +14,7 @@ Options restarted(const std::string &file, const std::vector<options::Given> &gi
 
 /// The options of a run that continues what an earlier one left in the folder `options.out`: they resume from the
 /// checkpoint there if it is of the same case, metal and version of ogive and the folder has no summary, the sign of an
-/// end. Else those given. Threads, picture and terminal may differ; frames may not, those of before would be missing.
+/// end. Else those given. Threads, picture and terminal may differ; frames may not, the earlier ones would be missing.
 Options resumed(const Options &options);
 
 /// What of the case in the results of `options.out` is not that of these options: "thickness_mm", "material"; empty if

@@ -81,7 +81,7 @@ constexpr auto choices(ElementRule) {
 /// Name of a choice, as the user writes it.
 template <class E> std::string name_of(E value) { return options::name_in(choices(value), value); }
 
-/// Group of the options that leave the case as it is.
+/// Group of the options that do not change the case.
 inline constexpr char run_group[] = "Run and output";
 
 /// The options of a shot, bound to `o`, in the order of the help.

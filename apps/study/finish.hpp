@@ -18,7 +18,7 @@ namespace study {
 int run_study(const char *program, const Study &study, bool runs, const std::function<Outcome(const Report &)> &run,
               const std::function<void()> &draw);
 
-/// What a user is told of the files with rows.
+/// The name of the files with rows, for a user.
 std::string rows_shown(const std::filesystem::path &out);
 
 /// Prints the limits that the rows give and writes them to `file`, if there are any. Throws WriteError.
