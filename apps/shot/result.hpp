@@ -84,6 +84,23 @@ std::optional<double> dishing_at_rest_mm(const Result &shot);
 /// be built or a checkpoint that does not fit it, WriteError for a file that cannot be written.
 Result run_model(const Options &options, const Plates &plates);
 
+/// Sizes of a body before the run, masses of the whole model.
+struct BodySizes {
+  std::string name{};
+  long nodes = 0;
+  long hexes = 0; ///< 0: particles
+  double mass_g = 0;
+  double shortest_mm = 0; ///< edge of a hex, or the particle distance
+  double longest_mm = 0;
+  double largest_aspect = 0;
+  double smallest_scaled_jacobian = 0; ///< 1 for a brick
+  double time_step_us = 0;
+};
+
+/// Writes the bodies of a case into `options.out` for ParaView without running it, and returns their sizes. Throws
+/// SetupError for a case that cannot be built, WriteError.
+std::vector<BodySizes> write_model(const Options &options, const Plates &plates);
+
 /// Prints what is about to be computed, unless the options are quiet.
 void announce(const Options &options, const Result &shot);
 

@@ -7,6 +7,7 @@
 #include "to_case.hpp"
 
 #include "ogive/io/checkpoint.hpp"
+#include "ogive/mesh/mesh_check.hpp"
 #include "ogive/sim/hash.hpp"
 
 #include <algorithm>
@@ -103,15 +104,62 @@ ogive::PerforationOptions<double> numerics_of(const Options &options) {
   return numerics;
 }
 
+/// The metals with one type of law.
+Metals metals_of(const Plates &plates) {
+  Metals metals;
+  for (const auto &any : plates)
+    std::visit([&](const auto &metal) { metals.push_back(ogive::with_law<AnyLaw>(metal)); }, any);
+  return metals;
+}
+
+/// The model of a case.
+auto model_of(const Options &options, const ogive::PerforationCase<double> &c, const Metals &plates) {
+  return ogive::make_perforation(c, plates, ogive::library::arne_tool_steel<double>(), numerics_of(options),
+                                 discretisation_of(options));
+}
+
+template <class Law, class Rule>
+BodySizes sizes_of(const ogive::HexBody<double, Law, Rule> &body, const ogive::Nodes<double> &nodes) {
+  ogive::HexMesh<double> mesh;
+  mesh.positions.assign(nodes.position.begin() + body.nodes.begin, nodes.position.begin() + body.nodes.end);
+  mesh.hexes = body.hexes;
+  for (auto &hex : mesh.hexes)
+    for (ogive::Index &n : hex) n -= body.nodes.begin;
+  const auto q = ogive::mesh_quality(mesh);
+  return {.hexes = static_cast<long>(body.hexes.size()),
+          .shortest_mm = q.shortest_edge * 1e3,
+          .longest_mm = q.longest_edge * 1e3,
+          .largest_aspect = q.largest_aspect,
+          .smallest_scaled_jacobian = q.smallest_scaled_jacobian};
+}
+
+template <class Law, class Kernel, class Form>
+BodySizes sizes_of(const ogive::SphBody<double, Law, Kernel, Form> &body, const ogive::Nodes<double> &) {
+  return {.shortest_mm = body.spacing * 1e3, .longest_mm = body.spacing * 1e3};
+}
+
 } // namespace
 
+std::vector<BodySizes> write_model(const Options &options, const Plates &plates) {
+  const auto model = model_of(options, to_case(options), metals_of(plates));
+  auto series = ogive::open_series(options.out, "mesh");
+  ogive::add_frame(series, ogive::gather_frame(model));
+  std::vector<BodySizes> all;
+  for_each_body(model, [&](const auto &body) {
+    BodySizes sizes = sizes_of(body, model.nodes);
+    sizes.name = body.name;
+    sizes.nodes = body.nodes.size();
+    sizes.mass_g = ogive::whole_mass(body.point_mass, model.symmetry) * 1e3;
+    sizes.time_step_us = ogive::stable_time_step(body, model.nodes) * 1e6;
+    all.push_back(sizes);
+  });
+  return all;
+}
+
 Result run_model(const Options &options, const Plates &metals) {
-  Metals plates;
-  for (const auto &any : metals)
-    std::visit([&](const auto &metal) { plates.push_back(ogive::with_law<AnyLaw>(metal)); }, any);
+  const Metals plates = metals_of(metals);
   const auto c = to_case(options);
-  auto model = ogive::make_perforation(c, plates, ogive::library::arne_tool_steel<double>(), numerics_of(options),
-                                       discretisation_of(options));
+  auto model = model_of(options, c, plates);
   const auto &shape = c.projectile;
   std::vector<std::vector<ogive::Vec3<double>>> undeformed;
   for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::plate_positions(model, k));

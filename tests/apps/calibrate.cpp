@@ -169,7 +169,7 @@ TEST_CASE("calibrate: tables become fit.json, material.toml and tables for pictu
   for (const char *name : {"fit.json", "material.toml", "material_simultaneous.toml", "points.csv", "hardening.csv",
                            "rate_exponent.csv", "thermal_exponent.csv", "prediction.csv"})
     CHECK(std::filesystem::file_size(folder.path / name) > 100);
-  const auto metal = std::get<0>(material_file::read(folder.path / "material.toml"));
+  const auto metal = std::get<0>(materials::read(folder.path / "material.toml"));
   CHECK(metal.name == "steel");
   CHECK(metal.density == 7850);
   CHECK(metal.flow.A == Approx(results.chosen.steps.law.hardening[0].A).epsilon(1e-15));
