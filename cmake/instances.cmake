@@ -3,16 +3,16 @@
 file(GLOB fixed_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/instances/*.cpp")
 list(FILTER fixed_sources EXCLUDE REGEX "/fits.cpp$")
 
-# ogive_instance_library(<target> <header> <flags> <file>...) adds a library of them; its precompiled header declares them.
-function(ogive_instance_library target header flags)
+# ogive_instance_library(<target> <header> <file>...) adds a library of them; its precompiled header declares them.
+function(ogive_instance_library target header)
   add_library(${target} STATIC EXCLUDE_FROM_ALL ${ARGN})
-  target_link_libraries(${target} PUBLIC ogive::ogive PRIVATE ${flags})
+  target_link_libraries(${target} PUBLIC ogive::ogive PRIVATE ogive_flags)
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/apps/instances")
   target_precompile_headers(${target} PRIVATE "${PROJECT_SOURCE_DIR}/apps/instances/${header}")
 endfunction()
 
-ogive_instance_library(ogive_instances instances.hpp ogive_shell_flags "${PROJECT_SOURCE_DIR}/apps/instances/fits.cpp")
-ogive_instance_library(ogive_fixed_instances fixed.hpp ogive_flags ${fixed_sources})
+ogive_instance_library(ogive_instances instances.hpp "${PROJECT_SOURCE_DIR}/apps/instances/fits.cpp")
+ogive_instance_library(ogive_fixed_instances fixed.hpp ${fixed_sources})
 target_link_libraries(ogive_fixed_instances PUBLIC ogive_instances)
 
 # ogive_use_instances(<target> <library of instances>) lets a target take them, with the precompiled header.

@@ -31,11 +31,6 @@ if(ccache AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   target_compile_options(ogive_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endif()
 
-# What waits for files and users more than for itself is compiled with fewer optimisations, in less time.
-add_library(ogive_shell_flags INTERFACE)
-target_link_libraries(ogive_shell_flags INTERFACE ogive_flags)
-target_compile_options(ogive_shell_flags INTERFACE $<$<CONFIG:Release>:-O1>)
-
 # ogive_program(<target> SOURCES <file>... LIBRARIES <target>...) adds an executable with those flags.
 function(ogive_program target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
