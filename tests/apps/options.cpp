@@ -313,13 +313,13 @@ bool fits_a_terminal(const std::string &text) {
 
 } // namespace
 
-TEST_CASE("--version ends the run") {
+TEST_CASE("asked for its version, the program prints it and ends") {
   std::ostringstream version;
   CHECK_FALSE(parse({"--version"}, version));
   CHECK(version.str() == std::string("ogive shoot ") + ogive::version + "\n");
 }
 
-TEST_CASE("--help is short: one line for each of the options that most users need") {
+TEST_CASE("the short help has one line for each of the options that most users need") {
   std::ostringstream text, same;
   CHECK_FALSE(parse({"--quiet", "--help"}, text));
   CHECK_FALSE(parse({"-h"}, same));
@@ -342,7 +342,7 @@ TEST_CASE("--help is short: one line for each of the options that most users nee
   }
 }
 
-TEST_CASE("--help-all has every option, with its source, and fits a terminal") {
+TEST_CASE("the long help has every option, with its source, and fits a terminal") {
   std::ostringstream text;
   CHECK_FALSE(parse({"--help-all", "--quiet"}, text));
   std::vector<std::string> expected;
