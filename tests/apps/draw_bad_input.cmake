@@ -34,7 +34,7 @@ refuses("${draw}" "--series = empty: must be a folder with a .pvd file" --series
 refuses("${draw}" "--series = two: must be a folder with one .pvd file" --series two ${out})
 refuses("${draw}" "--mesh = two: must be a folder with one .pvd file" --mesh two ${out})
 refuses("${draw}" "missing.pvd: must be a .pvd file that can be read" --series missing.pvd ${out})
-refuses("${draw}" "damaged.pvd: must be a .pvd file, as perforate writes it" --series damaged.pvd ${out})
+refuses("${draw}" "damaged.pvd: must be a .pvd file, as ogive writes it" --series damaged.pvd ${out})
 refuses("${draw}" "frames/missing.vtu: must be a .vtu file that can be read" --series listing.pvd ${out})
 refuses("${draw}" "--times-us = 20: must not be later than the last frame" --series listing.pvd --times-us 20 ${out})
 refuses("${draw}" "--times-us = 0,soon: must be times in us" --series listing.pvd --times-us 0,soon ${out})
