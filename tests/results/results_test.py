@@ -456,8 +456,8 @@ class Figures(unittest.TestCase):
         drawn = [list(map(str, command)) for command in self.commands]
         self.assertEqual([Path(command[0]).name for command in drawn], [
             "figure_7_adaptive.png", "figure_7_temperature_adaptive.png", "figure_8_adaptive.png"])
-        self.assertEqual(drawn[0][3:8], ["draw", "--series", str(thick), "--times-us", "0,10,20,30,40"])
-        self.assertEqual(drawn[2][3:14], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
+        self.assertEqual(drawn[0][2:7], ["draw", "--series", str(thick), "--times-us", "0,10,20,30,40"])
+        self.assertEqual(drawn[2][2:13], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
                                           "(a) 6 mm, 0 µs", "(a) 6 mm, 15 µs", "(a) 6 mm, 30 µs", "(b) 10 mm, 0 µs"])
         self.assertIn("figure 14_adaptive is left out: no shot with frames", said.getvalue())
 
