@@ -21,8 +21,6 @@ function(consume name)
 endfunction()
 
 set(from_prefix -D CMAKE_PREFIX_PATH=${prefix})
-# The steps `headers`, `package` and `clang` try every header; for others it is enough to find them.
-set(main_headers -D OGIVE_HEADERS=ogive.hpp)
 
 if(STEP STREQUAL "install")
   # Headers alone are read only: making code for each would say no more. Set once the compiler has been tried.
@@ -40,10 +38,9 @@ elseif(STEP STREQUAL "package")
   consume(package -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix})
 elseif(STEP STREQUAL "package_without_vtk")
   set(WITH_VTK OFF)
-  consume(package_without_vtk -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D CMAKE_DISABLE_FIND_PACKAGE_VTK=ON
-          ${main_headers})
+  consume(package_without_vtk -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D CMAKE_DISABLE_FIND_PACKAGE_VTK=ON)
 elseif(STEP STREQUAL "subdirectory")
-  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE} ${main_headers})
+  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE})
 elseif(STEP STREQUAL "programs")
   set(programs "${WORK}/programs")
   file(REMOVE_RECURSE "${programs}")
