@@ -1,11 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""random_shots.py [--count N] [--seed S] [--jobs J] [--program PROGRAM] [--out FOLDER] [--end-us T]
+"""random_shots.py [--count N] [--seed S] [--jobs J] [--program PROGRAM] [--out FOLDER] [--end-us T] [--verdicts]
 
 Shoots N random but legal cases for a short time (200 cases of 30 us unless said otherwise) and checks each: no fault, an
 energy error below 1 %, no particle deeper in the projectile than half a particle distance, finite numbers. The same seed
 gives the same cases. Prints a line for each case that is not in order and, last, how many are. Exit status 1 if one is
 not, 2 for wrong options. A case that failed runs again with `ogive shoot --config FOLDER/<number>/case.toml`.
+
+With --verdicts each case runs to its end, over calibres of 1 to 100 mm, plates of 0.05 to 5 calibres, one or several, 50
+to 3000 m/s, obliquities up to 60 degrees and all methods, and its verdict is checked by position and energy: a perforated
+plate has the projectile behind it that moves on, a stopped one does not; far more energy than the plate can take up
+perforates, far less does not. Undecided shots are printed and counted, with their reason.
 
 A hex with several points can lose the volume of one of them at a sharp tip that yields. ogive stops such a shot
 because of that volume, or of the time step that it allows, before its energy goes wrong: it is printed as refused and is
@@ -13,6 +18,7 @@ no failure.
 """
 
 import argparse
+import csv
 import json
 import math
 import random
@@ -66,6 +72,42 @@ def random_case(draw):
     return case
 
 
+def random_shot(draw):
+    """Options of a shot to its verdict: all sizes scale with a calibre of 1 to 100 mm."""
+    diameter = log_uniform(draw, 1, 100)
+    oblique = draw.random() < 0.25
+    method = draw.choice(["sfm", "sfm", "stabilised", "adaptive"])
+    plates = 1 if method == "adaptive" or draw.random() < 0.8 else 2
+    thickness = diameter * log_uniform(draw, 0.05, 5 if not oblique else 1)
+    gap = diameter * draw.choice([0, 0.5]) * (plates - 1)
+    depth = plates * thickness + gap
+    obliquity = draw.choice([15, 30, 45, 60]) if oblique else 0
+    turn = math.radians(obliquity)
+    least = diameter / 2 / math.cos(turn) + depth * math.tan(turn)
+    radius = least * 1.25 + 0.4 * diameter
+    extent, part = ("half", 0.5) if oblique else ("quarter", 0.25)
+    finest = (part * math.pi * radius**2 * thickness * plates / MOST_PARTICLES) ** (1 / 3)
+    spacing = min(max(finest, diameter / 20), thickness / 2, (radius - least) / 2.1)
+    case = {
+        "material": draw.choice(["weldox_460e", "aa5083_h116"]),
+        "method": method,
+        "nose": draw.choice(["blunt", "blunt", "conical", "ogival", "hemispherical"]),
+        "projectile": draw.choice(["deformable", "rigid"]),
+        "diameter_mm": diameter,
+        "length_mm": diameter * (4 if draw.random() < 0.7 else 2.5),
+        "clamp_radius_mm": radius + diameter * draw.uniform(1, 6),
+        "velocity_mps": log_uniform(draw, 50, 3000),
+        "spacing_mm": spacing,
+        "sph_radius_mm": radius,
+    }
+    case |= {"thickness_mm": thickness} if plates == 1 else {"layers_mm": ",".join([f"{thickness:.4g}"] * plates)}
+    if plates > 1:
+        case["gaps_mm"] = gap
+    if oblique:
+        case |= {"obliquity_deg": obliquity, "extent": extent}
+    return {key: float(f"{value:.4g}") if isinstance(value, float) else value for key, value in case.items()}
+
+
 def arguments_of(case):
     return [f"--{key.replace('_', '-')}={value}" for key, value in case.items()]
 
@@ -81,7 +123,7 @@ def outcome_of(case, folder, status, output):
     if status != 0 or summary["fault"]:
         fault = summary["fault"] or {}
         text = f"{fault.get('what')} ({fault.get('body')} {fault.get('id')}, {fault.get('time_us')} us)"
-        if status == 3 and case["element"] == "selective_reduced" and str(fault.get("what")).startswith(REFUSED):
+        if status == 3 and case.get("element") == "selective_reduced" and str(fault.get("what")).startswith(REFUSED):
             refused = text
         else:
             found.append(f"status {status}: {text}")
@@ -94,12 +136,43 @@ def outcome_of(case, folder, status, output):
     return found, refused
 
 
+def wrong_verdict(case, folder):
+    """What speaks against the verdict of a shot, as a list of texts, and why it is undecided, if it is."""
+    summary = json.loads((folder / "summary.json").read_text())
+    with open(folder / "history.csv", encoding="utf-8") as file:
+        last = list(csv.DictReader(file))[-1]
+    depth = case.get("thickness_mm") or sum(map(float, case["layers_mm"].split(","))) + case.get("gaps_mm", 0)
+    initial, final = case["velocity_mps"], float(last["velocity_m_per_s"])
+    nose, tail = float(last["nose_depth_mm"]), float(last["tail_depth_mm"])
+    verdict, found = summary["verdict"], []
+    if verdict == "undecided":
+        return [], summary["undecided_because"] or "without a reason"
+    if verdict == "perforated" and not (nose > depth and 0 < final <= initial * 1.001):
+        found.append(f"perforated, with the nose {nose:.3g} mm deep in {depth:.3g} mm at {final:.4g} m/s")
+    if verdict == "stopped" and tail > depth and final > 0.005 * initial:
+        found.append(f"stopped, with the tail {tail - depth:.3g} mm behind the plate at {final:.4g} m/s")
+    # Bounds that hold for any mode of failure, J: the volume in the way times a pressure of 50 MPa, a tenth of what steel
+    # needs to yield in a test of hardness, and of 8 GPa, four times that.
+    way = math.pi / 4 * (case["diameter_mm"] * 1e-3) ** 2 * depth * 1e-3
+    mass = summary["projectile_mass_g"] * 1e-3
+    energy = mass * initial**2 / 2
+    if case.get("obliquity_deg", 0) == 0:
+        if verdict == "perforated" and energy < 50e6 * way:
+            found.append(f"perforated with {energy:.3g} J, where {50e6 * way:.3g} J are the least")
+        if verdict == "stopped" and energy * mass / (mass + 7850 * way) > 8e9 * way:
+            found.append(f"stopped with {energy:.3g} J, where {8e9 * way:.3g} J are enough")
+    return found, None
+
+
 def shoot(number, case, options):
     folder = options.out / f"{number:03d}"
-    command = [str(options.program), "shoot", *arguments_of(case), f"--end-us={options.end_us}", "--threads=1", "--quiet",
-               "--no-vtk", "--no-picture", f"--out={folder}"]
+    command = [str(options.program), "shoot", *arguments_of(case), "--threads=1", "--quiet", "--no-vtk", "--no-picture",
+               f"--out={folder}", *([] if options.verdicts else [f"--end-us={options.end_us}"])]
     done = subprocess.run(command, capture_output=True, text=True)
-    return outcome_of(case, folder, done.returncode, done.stderr)
+    found, refused = outcome_of(case, folder, done.returncode, done.stderr)
+    if options.verdicts and not found and not refused:
+        found, refused = wrong_verdict(case, folder)
+    return found, refused
 
 
 def main():
@@ -108,22 +181,24 @@ def main():
     parser.add_argument("--seed", type=int, default=20120726)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--end-us", type=float, default=30)
+    parser.add_argument("--verdicts", action="store_true")
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/apps/ogive")
     parser.add_argument("--out", type=Path, default=ROOT / "vtk_out/random_shots")
     options = parser.parse_args()
     if not options.program.is_file():
         parser.error(f"--program = {options.program}: there is no such program; scripts/build.sh ogive_main")
     draw = random.Random(options.seed)
-    cases = [random_case(draw) for _ in range(options.count)]
+    cases = [random_shot(draw) if options.verdicts else random_case(draw) for _ in range(options.count)]
     with ThreadPoolExecutor(options.jobs) as pool:
         results = list(pool.map(lambda item: shoot(*item, options), enumerate(cases)))
     for number, (case, (faults, refused)) in enumerate(zip(cases, results)):
-        for text in filter(None, ["; ".join(faults), refused and f"refused: {refused}"]):
+        for text in filter(None, ["; ".join(faults), refused and f"{'undecided' if options.verdicts else 'refused'}: {refused}"]):
             print(f"{number:03d}: {text}\n     {' '.join(arguments_of(case))}")
     failed = sum(bool(faults) for faults, _ in results)
     refusals = sum(refused is not None and not faults for faults, refused in results)
-    print(f"{options.count - failed - refusals} of {options.count} random shots in order, {refusals} refused, "
-          f"{failed} failed (seed {options.seed}, {options.end_us:g} us)")
+    print(f"{options.count - failed - refusals} of {options.count} random shots in order, {refusals} "
+          f"{'undecided' if options.verdicts else 'refused'}, {failed} failed (seed {options.seed}"
+          f"{'' if options.verdicts else f', {options.end_us:g} us'})")
     return 1 if failed else 0
 
 

@@ -197,6 +197,13 @@ std::string to_toml(const AnyMetal &any, const std::string &comment) {
   return text;
 }
 
+std::vector<std::string> doubts_of(const AnyMetal &any) {
+  if (!has(any, Group::strain)) return {};
+  auto doubts = std::visit([](const auto &metal) { return ogive::doubts_of(metal.damage.failure_strain); }, any);
+  for (std::string &doubt : doubts) doubt = printable(name_of(any)) + ": " + doubt;
+  return doubts;
+}
+
 Model model_of(const AnyMetal &any) {
   return std::visit([](const auto &metal) { return model_of(metal.flow); }, any);
 }

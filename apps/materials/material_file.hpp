@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 /// \file
 /// A metal in a flat TOML file, every constant with its unit in the key (the table is in material_keys.hpp).
@@ -32,6 +33,9 @@ AnyMetal parse(std::string_view text, const std::string &file);
 /// A file that reads back as the same metal, to the last bit, with a comment (of any number of lines) on top. Damage
 /// and equation of state are written as constants, not what is chosen of them.
 std::string to_toml(const AnyMetal &metal, const std::string &comment);
+
+/// What is doubtful about its constants of damage, see ogive::doubts_of(): a line for each, with the metal's name.
+std::vector<std::string> doubts_of(const AnyMetal &metal);
 
 /// Its flow law.
 Model model_of(const AnyMetal &metal);

@@ -142,6 +142,7 @@ int limit(const options::Arguments &arguments) {
   const auto run = [&](const study::Report &report) {
     report("Ballistic limit within " + options::shortest(l.width_mps / 2) + " m/s, " + o.out.string() + ", method " +
            shot::name_of(o.method));
+    study::report_doubts({o}, report);
     study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
     complete = all.stopped_by == 0 && all.failed.empty();
     if (!complete) return all;

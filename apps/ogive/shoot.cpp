@@ -3,6 +3,7 @@
 
 #include "options/exit_status.hpp"
 
+#include "shot/files.hpp"
 #include "shot/resume.hpp"
 #include "shot/run.hpp"
 #include "shot/signals.hpp"
@@ -81,7 +82,18 @@ std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, st
     return shot::restarted(*general.restart, given);
   }
   const shot::Options o = shot::settled(shot::levels_of(*line));
-  return general.resume ? shot::resumed(o) : o;
+  std::error_code none;
+  if (line->config && std::filesystem::equivalent(*line->config, o.out / "case.toml", none) &&
+      options::text_of_file(*line->config, "--config") != shot::case_text(o))
+    options::refuse("--config", *line->config,
+                    "must not be case.toml in the folder for the results: that is overwritten");
+  if (!general.resume) return o;
+  const shot::Resumed resumed = shot::resumed(o);
+  if (!resumed.obstacle.empty())
+    options::refuse("--resume", o.out.string(),
+                    "the checkpoint there cannot be resumed, " + resumed.obstacle +
+                        "; give another --out, or leave --resume out to begin anew");
+  return resumed.options;
 }
 
 int shoot(const options::Arguments &arguments) {

@@ -77,8 +77,12 @@ void print_shots(const study::CaseList &list, const std::vector<study::Row> &row
     const study::Row *row = study::find_row(rows, one.key);
     if (row == nullptr) continue;
     for (const std::size_t k : columns) std::printf("  %-20s", one.key.values[k].c_str());
-    std::printf("  %-12s  %-14.1f  %.4f\n", study::number(*row, "perforated") != 0 ? "yes" : "no",
-                study::number(*row, "residual_velocity_mps"), 100 * study::number(*row, "energy_error"));
+    const double error = 100 * study::number(*row, "energy_error");
+    if (study::is_undecided(*row))
+      std::printf("  %-12s  %-14s  %.4f\n", "undecided", "", error);
+    else
+      std::printf("  %-12s  %-14.1f  %.4f\n", study::number(*row, "perforated") != 0 ? "yes" : "no",
+                  study::number(*row, "residual_velocity_mps"), error);
   }
 }
 
@@ -144,6 +148,9 @@ int sweep(const options::Arguments &arguments) {
   study.threads = defaults.threads;
   const auto series = s.limit ? study::series_in(list.cases) : std::vector<study::Series>{};
   const auto run = [&](const study::Report &report) {
+    std::vector<shot::Options> cases;
+    for (const study::Case &one : list.cases) cases.push_back(one.options);
+    study::report_doubts(cases, report);
     return s.limit ? study::find_limits(study, study::share_of(series, study), s.width_mps, report)
                    : study::run_cases(study, study::share_of(list.cases, study), report);
   };

@@ -62,6 +62,22 @@ std::vector<fs::path> prepare_out(const fs::path &out, double bytes, const char 
   refuse("--out", out.string(), reason);
 }
 
+fs::path set_aside(const fs::path &out, const std::string &reason) {
+  const fs::path folder = fs::absolute(out).lexically_normal();
+  const fs::path whole = folder.has_filename() ? folder : folder.parent_path();
+  std::error_code error;
+  for (int k = 1;; ++k) {
+    const fs::path name = whole.string() + "_before_" + std::to_string(k);
+    if (fs::exists(fs::symlink_status(name, error))) continue;
+    if (!fs::is_symlink(whole, error))
+      fs::rename(whole, name, error);
+    else
+      error = std::make_error_code(std::errc::not_supported);
+    if (!error) return name;
+    refuse("--out", out.string(), reason + "; give another --out, or remove them");
+  }
+}
+
 void remove_empty(const std::vector<fs::path> &folders) {
   std::error_code ignored;
   std::for_each(folders.rbegin(), folders.rend(), [&](const fs::path &folder) { fs::remove(folder, ignored); });

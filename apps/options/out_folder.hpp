@@ -14,4 +14,8 @@ std::vector<std::filesystem::path> prepare_out(const std::filesystem::path &out,
 /// Removes those of the folders that are empty.
 void remove_empty(const std::vector<std::filesystem::path> &folders);
 
+/// Renames a folder with results that another run would overwrite to the first free of OUT_before_1, OUT_before_2, ...
+/// and returns that name. Throws SetupError "--out = OUT: <reason>; give another --out, or remove them" if it cannot.
+std::filesystem::path set_aside(const std::filesystem::path &out, const std::string &reason);
+
 } // namespace options

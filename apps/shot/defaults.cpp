@@ -79,6 +79,13 @@ FailureEffect default_failure(DamageLaw damage) {
   return damage == DamageLaw::none ? FailureEffect::none : FailureEffect::no_tension;
 }
 
+double default_end_us(const Options &o) {
+  const bool blunt = o.nose == Nose::blunt;
+  const double passage_us = (o.length_mm + target_depth_mm(o)) / o.velocity_mps * 1e3;
+  const double least_us = (blunt ? 500 : 1500) * std::max(1.0, o.diameter_mm / 20);
+  return std::clamp(10 * std::ceil((blunt ? 3 : 6) * passage_us / 10), least_us, 100000.0);
+}
+
 void take_defaults(Options &o, const options::Origins &origins) {
   const auto is_open = [&](const char *key) { return !origins.contains(key); };
   const auto numerics = ogive::options_of<double>(o.method);
@@ -94,7 +101,6 @@ void take_defaults(Options &o, const options::Origins &origins) {
   if (is_open("control_stiffness")) o.control_stiffness = numerics.sph.control.stiffness;
   if (is_open("failure")) o.failure = default_failure(o.damage);
   if (is_open("friction")) o.friction = default_friction(o.nose, o.material);
-  if (is_open("end_us")) o.end_us = o.nose == Nose::blunt ? 500 : 1500;
 }
 
 std::string thickness_label(const Options &o) {

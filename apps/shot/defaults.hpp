@@ -29,4 +29,9 @@ std::string case_label(const Options &options);
 /// "4+8mm_10mm_apart".
 std::string thickness_label(const Options &options);
 
+/// End of a run that decides nothing before, us: the time in which the projectile passes the plates three times at its
+/// initial velocity, six times where its tail must leave them; at least 500 or 1500 us for 20 mm, in which all but the
+/// slowest shots are decided.
+double default_end_us(const Options &options);
+
 } // namespace shot

@@ -66,8 +66,10 @@ std::string material_text(const std::string &material, const materials::AnyMetal
                                        ".\nA copy with other numbers is a metal for --material.");
 }
 
-/// Text of case.toml.
-std::string case_text(Options o) {
+} // namespace
+
+std::string case_text(const Options &options) {
+  Options o = options;
   // Counts from the folder of case.toml, so that the folder may move.
   const auto names = material_names(o);
   if (materials::is_material_file(o.material)) o.material = names.front();
@@ -75,8 +77,6 @@ std::string case_text(Options o) {
     if (materials::is_material_file(o.layer_materials[k])) o.layer_materials[k] = names[k];
   return to_toml(o);
 }
-
-} // namespace
 
 void start_results(const Options &o, const Plates &plates) {
   std::error_code ignored;

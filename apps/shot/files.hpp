@@ -21,6 +21,9 @@ struct Files {
 /// file that the user has there under that name is left as it is. Throws WriteError.
 void start_results(const Options &options, const Plates &plates);
 
+/// Text of the file case.toml that start_results() writes.
+std::string case_text(const Options &options);
+
 /// Starts the files of a run or goes on with them where `course` says: later rows and frames are dropped. Throws
 /// WriteError.
 Files open_files(const Options &options, const Course &course);

@@ -62,6 +62,7 @@ Options settled(const std::vector<Level> &levels) {
   take_defaults(o, origins);
   settle_materials(o, origins);
   settle_projectile(o, origins);
+  if (!origins.contains("end_us")) o.end_us = default_end_us(o);
   if (!origins.contains("out")) o.out = default_out(o);
   check(o, origins);
   return o;
@@ -108,6 +109,15 @@ void check(const Options &o, const Origins &origins) {
                      " and two spacings, and " + "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
   if (o.obliquity_deg > 0 && o.extent == Extent::quarter)
     refuse_value("obliquity_deg", o.obliquity_deg, "needs --extent half or --extent full");
+  if (o.mass_g > 0) {
+    // Plastics to the heaviest metals, and bodies that are hollow or carry more than they are.
+    constexpr double lightest = 100, heaviest = 50000; // kg/m3
+    const double volume = ogive::volume(shape_of(o)), low = lightest * volume * 1e3, high = heaviest * volume * 1e3;
+    if (o.mass_g < low || o.mass_g > high)
+      refuse_value("mass_g", o.mass_g,
+                   "must give the projectile a density between 100 and 50000 kg/m3: " +
+                       shortest(std::ceil(low * 1e3) / 1e3) + " to " + shortest(std::floor(high)) + " g");
+  }
   const double particles = estimated_particles(o);
   if (particles > most_particles)
     refuse_value("spacing_mm", o.spacing_mm,

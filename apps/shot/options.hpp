@@ -77,7 +77,7 @@ struct Options {
   double velocity_mps = 303.5;
   double friction = 0;  ///< Coulomb; parse() takes default_friction() where none is given
   double settle_us = 0; ///< after the shot is decided
-  double end_us = 500;  ///< parse() takes default_end_us() where none is given
+  double end_us = 910;  ///< parse() takes default_end_us() where none is given
 
   double spacing_mm = 0.6;
   double sph_radius_mm = 24;
@@ -114,6 +114,9 @@ inline constexpr char earlier_checkpoint_name[] = "checkpoint_before.bin";
 
 /// Wall time between two checkpoints of a run that has no interval for them.
 inline constexpr double checkpoint_minutes = 15;
+
+/// Highest initial velocity that a run may have, m/s: the equation of state is one for less.
+inline constexpr double largest_velocity_mps = 3000;
 
 /// Most particles that a run may have.
 inline constexpr double most_particles = 50e6;

@@ -171,6 +171,15 @@ void settle_materials(Options &o, const Origins &origins) {
         settle_material(o, material, std::exchange(is_model_fixed, true), origins);
 }
 
+std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
+  std::vector<std::string> all;
+  if (o.damage != DamageLaw::johnson_cook) return all;
+  for (const materials::AnyMetal &metal : plates)
+    for (std::string &doubt : materials::doubts_of(metal))
+      if (std::find(all.begin(), all.end(), doubt) == all.end()) all.push_back(std::move(doubt));
+  return all;
+}
+
 std::string metals_text(const Options &o, const Plates &plates) {
   std::string text = materials::to_toml(plates.front(), "");
   for (std::size_t k = 1; k < plates.size() && !o.layer_materials.empty(); ++k)

@@ -41,6 +41,9 @@ void settle_materials(Options &options, const options::Origins &origins);
 /// The metals of all plates with the pressure law, damage and failure that the options choose. Throws SetupError.
 Plates plates_of(const Options &options);
 
+/// What is doubtful about the constants of damage that the plates' metals use: a line for each.
+std::vector<std::string> doubts_of(const Options &options, const Plates &plates);
+
 /// The metals of the plates as text for checkpoints: of one as its file has it, or one behind the other.
 std::string metals_text(const Options &options, const Plates &plates);
 

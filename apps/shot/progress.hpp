@@ -45,6 +45,7 @@ inline double cpu_s(const Progress &p) { return p.cpu_before_s + team_cpu_s() - 
 /// "2 min 05 s"
 inline std::string readable_duration(double seconds) {
   char text[48];
+  seconds = std::round(std::max(seconds, 0.0));
   if (seconds < 60)
     std::snprintf(text, sizeof text, "%.0f s", seconds);
   else

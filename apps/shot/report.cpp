@@ -15,19 +15,17 @@
 #include <omp.h>
 #include <sys/resource.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
 
 namespace shot {
 
-bool perforated(const Result &shot) {
-  const auto &flight = shot.flight;
-  if (shot.fault) return false;
-  if (flight.state != ogive::FlightState::in_progress) return flight.state == ogive::FlightState::perforated;
-  const auto &last = flight.samples.back();
-  const bool through = flight.sharp ? last.shoulder > flight.plate_thickness : shot.fragments.plug_mass > 1e-3;
-  return through && last.velocity > 5e-3 * flight.initial_velocity;
+Verdict verdict(const Result &shot) {
+  using enum ogive::FlightState;
+  if (shot.fault || shot.flight.state == in_progress) return Verdict::undecided;
+  return shot.flight.state == perforated ? Verdict::perforated : Verdict::stopped;
 }
 
 std::optional<double> dishing_at_rest_mm(const Result &shot) {
@@ -36,7 +34,10 @@ std::optional<double> dishing_at_rest_mm(const Result &shot) {
   return shot.swing.integral_mm_us / time_us;
 }
 
-double residual_mps(const Result &shot) { return perforated(shot) ? shot.flight.samples.back().velocity : 0.0; }
+std::optional<double> residual_mps(const Result &shot) {
+  if (verdict(shot) == Verdict::undecided) return std::nullopt;
+  return verdict(shot) == Verdict::perforated ? shot.flight.samples.back().velocity : 0.0;
+}
 
 namespace {
 
@@ -75,6 +76,20 @@ const char *ending(const Result &s) {
   default:
     return "end of time";
   }
+}
+
+/// Why a shot is undecided, one line; empty if it is not.
+std::string undecided_reason(const Result &s) {
+  if (verdict(s) != Verdict::undecided) return "";
+  if (s.fault) return "a fault stopped the run";
+  const auto &last = s.flight.samples.back();
+  char text[200];
+  const char *what = !s.way.clear                                             ? "into what still hangs on the plate"
+                     : last.tail < s.flight.plate_thickness && s.flight.sharp ? "with its tail still in the plate"
+                                                                              : "and its velocity still changes";
+  std::snprintf(text, sizeof text, "at %.4g us the projectile moves at %.1f m/s %s", s.simulated_us, last.velocity,
+                what);
+  return text;
 }
 
 void add_shape(nlohmann::ordered_json &j, const ogive::PlateShape<double> &shape) {
@@ -141,13 +156,21 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   j["spacing_mm"] = s.sizes.spacing_mm;
   j["friction"] = o.friction;
   j["initial_velocity_mps"] = o.velocity_mps;
-  j["residual_velocity_mps"] = residual_mps(s);
+  j["residual_velocity_mps"] = nullptr;
+  if (const auto residual = residual_mps(s)) j["residual_velocity_mps"] = *residual;
   j["final_velocity_mps"] = s.flight.samples.back().velocity;
   j["velocity_at_shoulder_mps"] = nullptr;
   j["velocity_at_tail_mps"] = nullptr;
   if (s.flight.velocity_at_shoulder) j["velocity_at_shoulder_mps"] = *s.flight.velocity_at_shoulder;
   if (s.flight.velocity_at_tail) j["velocity_at_tail_mps"] = *s.flight.velocity_at_tail;
-  j["perforated"] = perforated(s);
+  const auto names = std::array{"perforated", "stopped", "undecided"};
+  j["verdict"] = names[static_cast<std::size_t>(verdict(s))];
+  j["undecided_because"] = nullptr;
+  j["perforated"] = nullptr;
+  if (verdict(s) == Verdict::undecided)
+    j["undecided_because"] = undecided_reason(s);
+  else
+    j["perforated"] = verdict(s) == Verdict::perforated;
   j["ending"] = ending(s);
   j["fault"] = nullptr;
   if (s.fault)
@@ -231,15 +254,21 @@ std::string draw(const Options &o, const Result &s, const std::optional<experime
 }
 
 void print_table(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
-  const double residual = residual_mps(s);
-  std::printf("\n  %-22s %s\n", "perforated", perforated(s) ? "yes" : "no");
-  std::printf("  %-22s %.1f m/s\n", "residual velocity", residual);
+  if (const auto residual = residual_mps(s)) {
+    std::printf("\n  %-22s %s\n", "perforated", verdict(s) == Verdict::perforated ? "yes" : "no");
+    std::printf("  %-22s %.1f m/s\n", "residual velocity", *residual);
+  } else {
+    std::printf("\n  %-22s undecided: %s\n", "perforated", undecided_reason(s).c_str());
+    if (!s.fault)
+      std::printf("  %-22s %s\n", "to decide it",
+                  ("--resume --end-us " + options::shortest(20 * std::ceil(s.simulated_us / 10))).c_str());
+  }
   if (test) std::printf("  %-22s %.1f m/s (%s)\n", "test", test->residual_mps, test->origin.c_str());
   if (s.flight.velocity_at_shoulder)
     std::printf("  %-22s %.1f m/s\n", "when the shoulder left", *s.flight.velocity_at_shoulder);
   if (s.flight.velocity_at_tail) std::printf("  %-22s %.1f m/s\n", "when the tail left", *s.flight.velocity_at_tail);
   std::printf("  %-22s %s, %.1f us\n", "end of the run", ending(s), s.simulated_us);
-  if (o.nose == Nose::blunt || s.fragments.plug_mass > 1e-3)
+  if (s.fragments.plug_mass > 0 && s.fragments.plug_velocity > 0)
     std::printf("  %-22s %.2f g at %.1f m/s, debris %.2f g\n", "plug", s.fragments.plug_mass * 1e3,
                 s.fragments.plug_velocity, s.fragments.debris_mass * 1e3);
   for (std::size_t k = 0; k < o.layers_mm.size(); ++k)

@@ -48,13 +48,14 @@ struct Result {
   ogive::Flight<double> flight;
   std::optional<ogive::Fault> fault;
   int interrupted_by = 0;             ///< signal; 0: the run came to its end
+  ogive::Way<double> way;             ///< of the projectile at the end
   ogive::Fragments<double> fragments; ///< of all plates
   std::vector<LayerResult> layers;    ///< one for each plate
   long failed_hexes = 0;              ///< of the computed part, turned into particles
   long distorted_hexes = 0;           ///< likewise, before they failed
   long buried_particles = 0;          ///< of the computed part, that overlap hexes at the end
   Swing swing;                        ///< for --settle-us
-  double intrusion_mm = 0;            ///< deepest over the frames: particle behind the projectile's surface
+  double intrusion_mm = 0;            ///< particle behind the projectile's surface, deepest of all times of a check
   double hourglass_fraction = 0;      ///< of the initial energy, at the end
   double energy_error = 0;            ///< largest over the run, of the initial energy
   double momentum_error = 0;          ///< largest over the run, against the supports' impulse, of the initial momentum
@@ -69,12 +70,14 @@ struct Result {
   ogive::SymmetryPlanes symmetry;
 };
 
-/// True if the projectile came through: perforated, or at the end of the time it flies on with a plug loose (sharp:
-/// with its shoulder beyond the rear face).
-bool perforated(const Result &shot);
+/// What a shot has shown.
+enum class Verdict { perforated, stopped, undecided };
 
-/// Residual velocity in m/s, 0 unless perforated.
-double residual_mps(const Result &shot);
+/// The verdict of a shot: undecided if its time ended or a fault stopped it before the projectile's motion decided.
+Verdict verdict(const Result &shot);
+
+/// Residual velocity in m/s, 0 if the projectile was stopped; none while that is undecided.
+std::optional<double> residual_mps(const Result &shot);
 
 /// Mean dishing of the first plate over the time of --settle-us, mm; none without.
 std::optional<double> dishing_at_rest_mm(const Result &shot);

@@ -61,26 +61,40 @@ Options restarted(const std::string &name, const std::vector<Given> &all) {
   return o;
 }
 
-Options resumed(const Options &options) {
+Resumed resumed(const Options &options) {
   const auto file = options.out / checkpoint_name;
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored) || std::filesystem::exists(options.out / "summary.json", ignored))
-    return options;
+  if (!std::filesystem::exists(file, ignored)) return {options};
+  const bool has_ended = std::filesystem::exists(options.out / "summary.json", ignored);
+  const auto unless_ended = [&](const std::string &obstacle) { return Resumed{options, has_ended ? "" : obstacle}; };
   try {
     const SavedCase saved = read_saved_case(file);
-    if (saved.version != ogive::version || saved.metal_toml != metals_text(options, plates_of(options))) return options;
     Options left = options_in(saved, file);
+    if (has_ended && saved.time_us < left.end_us * (1 - 1e-9)) return {options};
+    if (saved.version != ogive::version) return unless_ended("it is of ogive " + saved.version);
+    if (saved.metal_toml != metals_text(options, plates_of(options))) return unless_ended("it is of another metal");
+    if (options.end_us < saved.time_us)
+      return unless_ended("its time, " + options::shortest(saved.time_us) + " us, is after --end-us");
+    if (has_ended && options.end_us <= saved.time_us) return {options};
     const auto restart = std::exchange(left.restart, std::nullopt);
     left.out = options.out;
+    left.end_us = options.end_us;
     left.checkpoint_every_us = options.checkpoint_every_us;
     left.picture = options.picture;
     left.quiet = options.quiet;
     left.threads = options.threads;
-    if (left != options) return options;
+    if (left != options) {
+      Options mine = options;
+      const auto here = table_of(mine).options, there = table_of(left).options;
+      for (std::size_t k = 0; k < here.size(); ++k)
+        if (here[k].toml() != there[k].toml())
+          return unless_ended("it is of a run with another " + options::flag_of(here[k].key));
+      return unless_ended("it is of another case");
+    }
     left.restart = restart;
-    return left;
-  } catch (const ogive::SetupError &) {
-    return options; // damaged, or of another program
+    return {left};
+  } catch (const ogive::SetupError &error) {
+    return unless_ended(error.what());
   }
 }
 
@@ -95,7 +109,7 @@ std::optional<std::string> other_case(const Options &options) {
     for (std::size_t k = 0; k < here.size(); ++k) {
       const std::string key = here[k].key;
       const bool of_metal = key == "material" || key == "layer_materials";
-      const bool counts = key == "end_us" || key == "settle_us" || here[k].group != run_group;
+      const bool counts = key == "settle_us" || here[k].group != run_group;
       if (counts && !of_metal && here[k].toml() != there[k].toml()) return key;
     }
     return metals_text(mine, plates_of(mine)) == metals_text(theirs, plates_of(theirs)) ? "" : "material";

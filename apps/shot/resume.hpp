@@ -12,13 +12,21 @@ namespace shot {
 /// options that leave the physics as they are may be given. Throws SetupError.
 Options restarted(const std::string &file, const std::vector<options::Given> &given);
 
+/// Whether and how a run resumes.
+struct Resumed {
+  Options options;
+  std::string obstacle{}; ///< why the checkpoint in the folder does not serve; empty if it does or there is none
+};
+
 /// The options of a run that continues what an earlier one left in the folder `options.out`: they resume from the
 /// checkpoint there if it is of the same case, metal and version of ogive and the folder has no summary, the sign of an
-/// end. Else those given. Threads, picture and terminal may differ; frames may not, the earlier ones would be missing.
-Options resumed(const Options &options);
+/// end, or that of a shot which had no verdict at the end of its time and may have more now. Else those given. Threads,
+/// picture and terminal may differ; frames may not, the earlier ones would be missing.
+Resumed resumed(const Options &options);
 
 /// What of the case in the results of `options.out` is not that of these options: "thickness_mm", "material"; empty if
-/// it is the same, nothing if there is no case that can be read.
+/// it is the same, nothing if there is no case that can be read. The end of the time does not count: a verdict does not
+/// depend on it.
 std::optional<std::string> other_case(const Options &options);
 
 } // namespace shot

@@ -7,6 +7,7 @@
 #include "options/out_folder.hpp"
 #include "plates.hpp"
 #include "report.hpp"
+#include "resume.hpp"
 #include "signals.hpp"
 
 #include <omp.h>
@@ -15,6 +16,7 @@
 #include <cctype>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 
 namespace shot {
 
@@ -40,6 +42,45 @@ double estimated_bytes(const Options &o) {
   const double time_us = std::max(0.0, o.end_us + o.settle_us - (o.restart ? o.restart->time_us : 0));
   const double frames = o.vtk ? time_us / o.output_every_us + 2 : 1;
   return fixed + (frames * per_particle_and_frame + 2 * per_particle_of_checkpoint) * estimated_particles(o);
+}
+
+std::unique_ptr<options::FolderLock> lock_results(const Options &o) {
+  return std::make_unique<options::FolderLock>(
+      o.out / ".lock", options::FolderLock::exclusive,
+      "another run writes its results there; wait for its end, or give another folder");
+}
+
+/// Why the folder holds results that this run must not overwrite; empty if it does not.
+std::string other_results(const Options &o) {
+  const auto other = other_case(o);
+  if (other) return other->empty() ? "" : "its results are of a case with another " + *other;
+  std::error_code none;
+  for (const char *name : {"case.toml", "summary.json", "history.csv", checkpoint_name})
+    if (fs::exists(o.out / name, none)) return "its results are of a case that cannot be read";
+  return "";
+}
+
+/// A fault with its subject, and with a remedy where there is a usual one.
+std::string described(const ogive::Fault &fault) {
+  using enum ogive::FaultKind;
+  const char *remedy = "";
+  switch (fault.kind) {
+  case inverted:
+  case small_step:
+    remedy = "; a projectile that is overloaded may be --projectile rigid, and --element one_point bears more";
+    break;
+  case lost:
+    remedy = "; a finer --spacing-mm or a larger --contact-stiffness holds it";
+    break;
+  case energy:
+  case not_finite:
+    remedy = "; please report this case.toml unless its material is extreme";
+    break;
+  case astray:
+    break;
+  }
+  const std::string subject = fault.id < 0 ? fault.body : fault.body + ", number " + std::to_string(fault.id);
+  return subject + ": " + fault.what + remedy;
 }
 
 /// Prints why a run did not come to its end, and how it resumes.
@@ -70,12 +111,21 @@ void prepare_out(const Options &o) {
 
 Outcome run(const Options &o, Output output) {
   const auto plates = plates_of(o);
+  const bool prints = output == Output::all;
   prepare_out(o);
   if (o.threads) omp_set_num_threads(*o.threads);
 
-  const options::FolderLock lock(o.out / ".lock", options::FolderLock::exclusive,
-                                 "another run writes its results there; wait for its end, or give another folder");
-  const bool prints = output == Output::all;
+  auto lock = lock_results(o);
+  if (const std::string reason = other_results(o); !reason.empty()) {
+    const fs::path name = options::set_aside(o.out, reason);
+    if (prints)
+      std::fprintf(stderr, "ogive shoot: %s: %s; they are now in %s\n", o.out.c_str(), reason.c_str(), name.c_str());
+    prepare_out(o);
+    lock = lock_results(o);
+  }
+  if (prints)
+    for (const std::string &doubt : doubts_of(o, plates))
+      std::fprintf(stderr, "ogive shoot: warning: %s\n", doubt.c_str());
   const auto test = find_test(o);
   Outcome outcome;
   Result &shot = outcome.shot;
@@ -103,10 +153,10 @@ Outcome run(const Options &o, Output output) {
     if (const std::string left_out = draw(o, shot, test); !left_out.empty())
       std::fprintf(stderr, "ogive shoot: left out: %s\n", left_out.c_str());
   if (!shot.fault) return outcome;
-  std::snprintf(text, sizeof text, "stopped at %.3f us: %.120s (%.30s %d)", shot.fault->time_us,
-                shot.fault->what.c_str(), shot.fault->body.c_str(), shot.fault->id);
-  if (prints) std::fprintf(stderr, "ogive shoot: %s\n", text);
-  return ends_with(not_finished, text);
+  std::snprintf(text, sizeof text, "stopped at %.3f us: ", shot.fault->time_us);
+  const std::string problem = text + described(*shot.fault);
+  if (prints) std::fprintf(stderr, "ogive shoot: %s\n", problem.c_str());
+  return ends_with(not_finished, problem);
 }
 
 } // namespace shot

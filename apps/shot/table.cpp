@@ -66,10 +66,10 @@ void add_plate(Table &t, Options &o) {
       .meaning = "pressure that damage follows: each particle's own, or the mean of its neighbours",
       .source = "own, neighbours with --method stabilised: ours"});
   add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "of the plate", .source = "paper, Fig. 11",
-      .brief = "thickness of the plate", .limits = {0.5, 100, "mm"}});
+      .brief = "thickness of the plate", .limits = {0.05, 500, "mm"}});
   add(t, o.layers_mm, {.key = "layers_mm", .meaning = "thicknesses of several plates behind each other, from front "
       "to rear, instead of --thickness-mm; one alone with --method adaptive", .source = "none: one plate",
-      .brief = "several plates instead, from front to rear", .limits = {0.5, 100, "mm"}});
+      .brief = "several plates instead, from front to rear", .limits = {0.05, 500, "mm"}});
   add(t, o.gaps_mm, {.key = "gaps_mm",
       .meaning = "free distances between the plates of --layers-mm, one for all or one less than plates",
       .source = "0: they touch", .limits = {0, 1000, "mm"}});
@@ -88,7 +88,7 @@ void add_plate(Table &t, Options &o) {
     return text.empty() ? "" : text + "]";
   };
   add(t, o.clamp_radius_mm, {.key = "clamp_radius_mm", .meaning = "radius at which the plate is clamped",
-      .source = "tests", .limits = {12, 2000, "mm"}});
+      .source = "tests", .limits = {1, 5000, "mm"}});
 }
 
 void add_projectile(Table &t, Options &o) {
@@ -115,7 +115,7 @@ void add_projectile(Table &t, Options &o) {
       .source = "tests", .limits = {0, 60, "deg"}});
   add(t, o.projectile, {.key = "projectile", .meaning = "deformable tool steel, or rigid", .source = "paper"});
   add(t, o.velocity_mps, {.key = "velocity_mps", .meaning = "initial velocity", .source = "tests",
-      .brief = "initial velocity", .limits = {1, 3000, "m/s"}});
+      .brief = "initial velocity", .limits = {1, largest_velocity_mps, "m/s"}});
   add(t, o.friction, {.key = "friction", .meaning = "Coulomb friction between plate and projectile",
       .source = "0 blunt; else 0.08 on weldox_460e and on FILE.toml, 0.02 on aa5083_h116: paper",
       .limits = {0, 2, ""}});
@@ -126,10 +126,10 @@ void add_discretisation(Table &t, Options &o) {
   add(t, o.spacing_mm, {.key = "spacing_mm",
       .meaning = "particle distance, with --method adaptive size of the hexes, at most half the thickness",
       .source = "paper", .brief = "particle distance; time grows with its fourth power",
-      .limits = {0.05, 5, "mm"}});
+      .limits = {0.01, 25, "mm"}});
   add(t, o.sph_radius_mm, {.key = "sph_radius_mm", .meaning = "radius of the particles' disc, or of the hexes that "
       "can turn into particles, from the projectile's radius and two spacings to less than the clamp radius",
-      .source = "paper", .limits = {10.1, 2000, "mm"}});
+      .source = "paper", .limits = {0.6, 5000, "mm"}});
   add(t, o.extent, {.key = "extent", .meaning = "how much of the round model is computed", .source = "paper"});
   add(t, o.lattice, {.key = "lattice", .meaning = "arrangement of the particles", .source = "ours"});
   add(t, o.form, {.key = "form", .meaning = "SPH with corrected gradients, or the textbook's", .source = "ours"});
@@ -153,7 +153,8 @@ void add_discretisation(Table &t, Options &o) {
 void add_run(Table &t, Options &o) {
   t.group = run_group;
   add(t, o.end_us, {.key = "end_us", .meaning = "time at which the run ends",
-      .source = "500 blunt, else 1500; most runs end by themselves: ours", .limits = {1, 100000, "us"}});
+      .source = "three passages of the projectile at its "
+      "initial velocity, six unless blunt, at least 500 or 1500 us times diameter/20 mm; most runs end by themselves: ours", .limits = {1, 100000, "us"}});
   add(t, o.settle_us, {.key = "settle_us", .meaning = "time to continue once the shot is decided: the plate "
       "swings, dishing_at_rest_mm is its mean over that time", .source = "0: none", .limits = {0, 100000, "us"}});
   add(t, o.out, {.key = "out", .meaning = "folder for the results",

@@ -20,6 +20,7 @@ std::vector<ogive::TriedShot<double>> tried_shots(const Key &key, const std::vec
   std::optional<double> lowest;
   for (const Row &row : rows) {
     if (series_key(row.key) != key) continue;
+    if (is_undecided(row)) continue;
     const double v = number(row.key, velocity_column);
     const bool perforated = number(row, "perforated") != 0;
     if (all || !perforated)
@@ -36,7 +37,7 @@ std::optional<ogive::BallisticFit<double>> fit_of(const Key &key, const std::vec
                                                   const Published &published) {
   std::vector<ogive::ResidualShot<double>> shots;
   for (const Row &row : rows)
-    if (series_key(row.key) == key)
+    if (series_key(row.key) == key && !is_undecided(row))
       shots.push_back({number(row.key, velocity_column), number(row, "residual_velocity_mps")});
   return ogive::fit_ballistic_curve<double>(shots, ogive::BallisticCurve<double>{published.a, published.p, 0});
 }
@@ -86,7 +87,9 @@ std::vector<Series> series_in(const std::vector<Case> &shots) {
 
 Case shot_of(const Series &series, double velocity_mps, const std::vector<std::string> &own_columns) {
   shot::Options options = series.options;
+  const bool default_end = options.end_us == default_end_us(options);
   options.velocity_mps = velocity_mps;
+  if (default_end) options.end_us = default_end_us(options);
   options.vtk = false;
   return case_of(options, own_columns, "");
 }
@@ -134,12 +137,30 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
         std::count_if(before.begin(), before.end(), [&](const Row &row) { return series_key(row.key) == one.key; }));
   }
   std::vector<std::optional<Key>> last(own.size());
+  std::vector<bool> ended(own.size(), false);
+  const auto end = [&](std::size_t k, const std::string &reason) {
+    ended[k] = true;
+    all.failed.push_back(reason);
+    report("failed: " + reason);
+  };
   const auto next = [&](const std::vector<Row> &rows) -> std::optional<Case> {
     for (std::size_t k = 0; k < own.size(); ++k) {
+      if (ended[k]) continue;
       if (last[k] && find_row(rows, *last[k]) == nullptr) continue; // its shot is running, or has failed
       const auto velocity = next_velocity(own[k], rows, width_mps);
       if (!velocity) continue;
       Case shot = shot_of(own[k], *velocity, study.own_columns);
+      if (*velocity > shot::largest_velocity_mps) {
+        end(k, shot.name + ": no shot up to " + ogive::shortest(shot::largest_velocity_mps) +
+                   " m/s perforates: the limit lies above all velocities that are allowed");
+        continue;
+      }
+      const Row *row = find_row(rows, shot.key);
+      if (row != nullptr && is_undecided(*row) && last[k] == shot.key) {
+        end(k, shot.name + ": undecided at " + ogive::shortest(number(*row, "simulated_us")) +
+                   " us; a later --end-us decides it");
+        continue;
+      }
       last[k] = shot.key;
       return shot;
     }

@@ -110,7 +110,7 @@ Points points_of(const ogive::BallisticCurve<double> &curve, double fastest) {
 Points residuals(const Key &key, const std::vector<Row> &rows) {
   Points points;
   for (const Row &row : rows)
-    if (series_key(row.key) == key)
+    if (series_key(row.key) == key && !is_undecided(row))
       points.emplace_back(number(row.key, velocity_column), number(row, "residual_velocity_mps"));
   std::sort(points.begin(), points.end());
   while (points.size() > 1 && points[1].second == 0) points.erase(points.begin());

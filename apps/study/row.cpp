@@ -77,6 +77,9 @@ bool is_of_shape(const std::string &column) {
   return std::find(shape.begin(), shape.end(), column) != shape.end();
 }
 
+/// The results that an undecided shot has not.
+bool is_of_verdict(const std::string &column) { return column == "residual_velocity_mps" || column == "perforated"; }
+
 /// Numbers by their value, other texts by their letters.
 bool comes_before(const Row &a, const Row &b) {
   for (std::size_t k = 0; k < a.key.values.size(); ++k) {
@@ -84,6 +87,10 @@ bool comes_before(const Row &a, const Row &b) {
     if (x != y && std::isfinite(x) && std::isfinite(y)) return x < y;
     if (a.key.values[k] != b.key.values[k]) return a.key.values[k] < b.key.values[k];
   }
+  // A shot that was decided at last has two rows.
+  if (is_undecided(a) != is_undecided(b)) return is_undecided(b);
+  if (is_undecided(a) && number(a, "simulated_us") != number(b, "simulated_us"))
+    return number(a, "simulated_us") > number(b, "simulated_us");
   // The hash breaks ties, so that the result does not depend on the order of the files.
   return a.results < b.results;
 }
@@ -132,8 +139,11 @@ std::string csv_field(const std::string &text) {
 double number(const Row &row, const char *column) {
   const auto &columns = result_columns();
   const auto k = std::find(columns.begin(), columns.end(), column) - columns.begin();
-  return ogive::number_from(row.results[static_cast<std::size_t>(k)]).value();
+  return ogive::number_from(row.results[static_cast<std::size_t>(k)])
+      .value_or(std::numeric_limits<double>::quiet_NaN());
 }
+
+bool is_undecided(const Row &row) { return std::isnan(number(row, "perforated")); }
 
 double number(const Key &key, std::size_t column) {
   return ogive::number_from(key.values[column]).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -162,6 +172,8 @@ Row row_of(const Key &key, const nlohmann::ordered_json &json, const std::string
       const auto value = is_left_out ? nlohmann::ordered_json(0.0) : json.at(column);
       if (row.results.size() + text_results >= result_columns().size())
         row.results.push_back(value.get<std::string>());
+      else if (value.is_null() && is_of_verdict(column))
+        row.results.push_back("");
       else
         row.results.push_back(value.is_boolean() ? (value.get<bool>() ? "1" : "0")
                                                  : ogive::shortest(value.get<double>()));
@@ -197,7 +209,8 @@ std::vector<Row> read_rows(const fs::path &file, const std::vector<std::string> 
       if (first && csv.fields[k] != columns[k]) throw SetupError(where + ": must be the column " + columns[k]);
       const bool is_number =
           (k >= thickness_column && k <= spacing_column) || (k >= keys && k + text_results < columns.size());
-      if (!first && is_number && !std::isfinite(ogive::number_from(csv.fields[k]).value_or(NAN)))
+      const bool may_be_empty = is_of_verdict(columns[k]) && csv.fields[k].empty();
+      if (!first && is_number && !may_be_empty && !std::isfinite(ogive::number_from(csv.fields[k]).value_or(NAN)))
         throw SetupError(where + ": must be a finite number");
     }
     const auto middle = csv.fields.begin() + static_cast<std::ptrdiff_t>(keys);

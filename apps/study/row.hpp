@@ -38,11 +38,14 @@ struct Row {
   std::vector<std::string> results; ///< of result_columns(), as text
 };
 
-/// A result as a number.
+/// A result as a number; NaN where an undecided shot has none.
 double number(const Row &row, const char *column);
 
 /// A value of the key as a number; NaN if it is none.
 double number(const Key &key, std::size_t column);
+
+/// True for a shot that has no verdict: perforated and residual_velocity_mps are empty.
+bool is_undecided(const Row &row);
 
 /// The key of a case in a study with these columns of its own.
 Key key_of(const shot::Options &options, const std::vector<std::string> &own_columns);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study.hpp"
 
+#include "shot/plates.hpp"
 #include "shot/report.hpp"
 #include "shot/resume.hpp"
 #include "shot/run.hpp"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace study {
@@ -43,19 +45,29 @@ bool has_frames(const Study &study, const Case &shot) {
          (fs::exists(folder / "summary.json", none) && fs::exists(folder / "perforation.pvd", none));
 }
 
+/// Whether a row is the last word on a case: more time may decide an undecided shot.
+bool is_final(const Row &row, const Case &shot) {
+  return !is_undecided(row) || number(row, "simulated_us") >= shot.options.end_us * (1 - 1e-9);
+}
+
 bool is_known(const Study &study, const Case &shot, const std::vector<Row> &rows) {
-  return find_row(rows, shot.key) != nullptr && has_frames(study, shot);
+  const Row *row = find_row(rows, shot.key);
+  return row != nullptr && is_final(*row, shot) && has_frames(study, shot);
 }
 
 void keep(Work &w, const Case &shot, const Row &row) {
   const std::lock_guard lock(w.mutex);
-  if (find_row(w.rows, shot.key) == nullptr) {
+  const auto same = [&](const Row &other) { return other.key == shot.key; };
+  const auto earlier = std::find_if(w.rows.begin(), w.rows.end(), same);
+  if (earlier == w.rows.end() || is_undecided(*earlier)) {
     append_row(rows_file(w.study), row, w.study.own_columns);
+    if (earlier != w.rows.end()) w.rows.erase(earlier);
     w.rows.push_back(row);
   }
-  char text[300];
-  std::snprintf(text, sizeof text, "%.180s: %.1f m/s, %.0f s, energy error %.3f %%", shot.name.c_str(),
-                number(row, "residual_velocity_mps"), number(row, "wall_s"), 100 * number(row, "energy_error"));
+  char text[300], residual[40] = "undecided";
+  if (!is_undecided(row)) std::snprintf(residual, sizeof residual, "%.1f m/s", number(row, "residual_velocity_mps"));
+  std::snprintf(text, sizeof text, "%.180s: %s, %.0f s, energy error %.3f %%", shot.name.c_str(), residual,
+                number(row, "wall_s"), 100 * number(row, "energy_error"));
   w.report(text);
 }
 
@@ -70,7 +82,9 @@ bool keeps_earlier_row(Work &w, const Case &shot) {
   try {
     if (!has_frames(w.study, shot)) return false;
     const fs::path folder = folder_of(w.study, shot);
-    keep(w, shot, row_of(shot.key, read_summary(folder), (folder / "summary.json").string()));
+    const Row row = row_of(shot.key, read_summary(folder), (folder / "summary.json").string());
+    if (!is_final(row, shot)) return false;
+    keep(w, shot, row);
     return true;
   } catch (const ogive::SetupError &) {
     return false; // no summary, or one of a run that a fault ended
@@ -89,7 +103,7 @@ void run_case(Work &w, const Case &shot) {
     ++w.outcome.known;
     return;
   }
-  const shot::Outcome outcome = shot::run(shot::resumed(shot.options), shot::Output::none);
+  const shot::Outcome outcome = shot::run(shot::resumed(shot.options).options, shot::Output::none);
   if (outcome.shot.interrupted_by != 0) return;
   if (outcome.status != options::success) return note_failure(w, shot, outcome.problem);
   keep(w, shot, row_of(shot.key, shot::summary_of(shot.options, outcome.shot), shot.name));
@@ -164,6 +178,13 @@ fs::path rows_file(const Study &study) {
   const std::string part =
       study.shards > 1 ? "." + std::to_string(study.shard) + "-of-" + std::to_string(study.shards) : "";
   return study.out / ("shots" + part + ".csv");
+}
+
+void report_doubts(const std::vector<shot::Options> &cases, const Report &report) {
+  std::set<std::string> all;
+  for (const shot::Options &options : cases)
+    for (const std::string &doubt : shot::doubts_of(options, shot::plates_of(options)))
+      if (all.insert(doubt).second) report("warning: " + doubt);
 }
 
 Outcome run_cases(const Study &study, const std::vector<Case> &cases, const Report &report) {

@@ -68,6 +68,9 @@ std::string conflict(const Study &study, const Case &shot);
 /// The file that takes the rows of this process.
 std::filesystem::path rows_file(const Study &study);
 
+/// Reports what is doubtful about the metals of cases, each line once. Throws SetupError as plates_of() does.
+void report_doubts(const std::vector<shot::Options> &cases, const Report &report);
+
 /// Runs those cases of which no row is known (or no frames, where the case writes them), `study.jobs` at a time. A case
 /// that was stopped resumes from its checkpoint; the row of a case is on the disk when its shot ends. A shot that fails
 /// leaves the others alone. The first SIGINT, SIGTERM or SIGHUP lets running shots write their checkpoints and ends the

@@ -54,11 +54,11 @@ TEST_CASE("lists of plates that do not fit together are refused") {
     std::string message;
   };
   const std::vector<Bad> all{
-      {{"--layers-mm", "6,0.2"}, "--layers-mm = 0.2: must lie between 0.5 and 100 mm"},
+      {{"--layers-mm", "6,0.02"}, "--layers-mm = 0.02: must lie between 0.05 and 500 mm"},
       {{"--layers-mm", "6,thick"},
-       "--layers-mm = thick: must be a number between 0.5 and 100 mm, written without the unit"},
-      {{"--layers-mm", "6,"}, "--layers-mm = : must be a number between 0.5 and 100 mm"},
-      {{"--layers-mm"}, "--layers-mm: needs a value: numbers between 0.5 and 100 mm with commas between them"},
+       "--layers-mm = thick: must be a number between 0.05 and 500 mm, written without the unit"},
+      {{"--layers-mm", "6,"}, "--layers-mm = : must be a number between 0.05 and 500 mm"},
+      {{"--layers-mm"}, "--layers-mm: needs a value: numbers between 0.05 and 500 mm with commas between them"},
       {{"--layers-mm", "1,1,1,1,1,1,1,1,1"}, "--layers-mm = 1,1,1,1,1,1,1,1,1: must be 1 to 8 thicknesses"},
       {{"--layers-mm", "6,6", "--thickness-mm", "12"}, "--layers-mm = 6,6: contradicts thickness_mm: give one of them"},
       {{"--layers-mm", "6,6", "--gaps-mm", "-1"}, "--gaps-mm = -1: must lie between 0 and 1000 mm"},

@@ -34,7 +34,7 @@ TEST_CASE("without arguments the options are the main job") {
 TEST_CASE("friction, end and folder follow from the case unless given") {
   const Options steel = options_of({"--nose", "conical"});
   CHECK(steel.friction == 0.08);
-  CHECK(steel.end_us == 1500);
+  CHECK(steel.end_us == 2180); // six passages of 110 mm at 303.5 m/s
   const Options aluminium = options_of({"--nose", "conical", "--material=aa5083_h116", "--thickness-mm", "15"});
   CHECK(aluminium.friction == 0.02);
   CHECK(aluminium.out == "vtk_out/aa5083_h116_mjc_conical_15mm_303.5mps");
@@ -68,24 +68,24 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
     std::string message;
   };
   const std::vector<Bad> all{
-      {{"--thickness-mm", "-3"}, "--thickness-mm = -3: must lie between 0.5 and 100 mm"},
-      {{"--thickness-mm=-3"}, "--thickness-mm = -3: must lie between 0.5 and 100 mm"},
-      {{"--thickness-mm", "0"}, "--thickness-mm = 0: must lie between 0.5 and 100 mm"},
-      {{"--thickness-mm", "1e9"}, "--thickness-mm = 1e9: must lie between 0.5 and 100 mm"},
-      {{"--thickness-mm", "nan"}, "--thickness-mm = nan: must lie between 0.5 and 100 mm"},
+      {{"--thickness-mm", "-3"}, "--thickness-mm = -3: must lie between 0.05 and 500 mm"},
+      {{"--thickness-mm=-3"}, "--thickness-mm = -3: must lie between 0.05 and 500 mm"},
+      {{"--thickness-mm", "0"}, "--thickness-mm = 0: must lie between 0.05 and 500 mm"},
+      {{"--thickness-mm", "1e9"}, "--thickness-mm = 1e9: must lie between 0.05 and 500 mm"},
+      {{"--thickness-mm", "nan"}, "--thickness-mm = nan: must lie between 0.05 and 500 mm"},
       {{"--velocity-mps", "inf"}, "--velocity-mps = inf: must lie between 1 and 3000 m/s"},
       {{"--velocity-mps", "1e999"}, "--velocity-mps = 1e999: must lie between 1 and 3000 m/s"},
       {{"--velocity-mps", "0"}, "--velocity-mps = 0: must lie between 1 and 3000 m/s"},
       {{"--thickness-mm", "12mm"},
-       "--thickness-mm = 12mm: must be a number between 0.5 and 100 mm, written without the unit"},
+       "--thickness-mm = 12mm: must be a number between 0.05 and 500 mm, written without the unit"},
       {{"--friction", "rough"}, "--friction = rough: must be a number between 0 and 2"},
       {{"--friction", "-0.1"}, "--friction = -0.1: must lie between 0 and 2"},
       {{"--friction", "2.5"}, "--friction = 2.5: must lie between 0 and 2"},
       {{"--end-us", "0"}, "--end-us = 0: must lie between 1 and 100000 us"},
       {{"--output-every-us", "0"}, "--output-every-us = 0: must lie between 0.5 and 100000 us"},
-      {{"--clamp-radius-mm", "5000"}, "--clamp-radius-mm = 5000: must lie between 12 and 2000 mm"},
-      {{"--spacing-mm", "-0.6"}, "--spacing-mm = -0.6: must lie between 0.05 and 5 mm"},
-      {{"--spacing-mm", "7"}, "--spacing-mm = 7: must lie between 0.05 and 5 mm"},
+      {{"--clamp-radius-mm", "6000"}, "--clamp-radius-mm = 6000: must lie between 1 and 5000 mm"},
+      {{"--spacing-mm", "-0.6"}, "--spacing-mm = -0.6: must lie between 0.01 and 25 mm"},
+      {{"--spacing-mm", "70"}, "--spacing-mm = 70: must lie between 0.01 and 25 mm"},
       {{"--thickness-mm", "6", "--spacing-mm", "4"},
        "--spacing-mm = 4: must be at most half the thickness of the plate, 3 mm"},
       {{"--sph-radius-mm", "11"},
@@ -138,10 +138,10 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--quiet=maybe"}, "--quiet = maybe: must be true or false"},
       {{"--no-quiet=maybe"}, "--quiet = maybe: must be true or false"},
       {{"--quiet="}, "--quiet: needs a value: true or false"},
-      {{"--thickness-mm"}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
-      {{"--thickness-mm", ""}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
-      {{"--thickness-mm="}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
-      {{"--thickness-mm", "--quiet"}, "--thickness-mm: needs a value: a number between 0.5 and 100 mm"},
+      {{"--thickness-mm"}, "--thickness-mm: needs a value: a number between 0.05 and 500 mm"},
+      {{"--thickness-mm", ""}, "--thickness-mm: needs a value: a number between 0.05 and 500 mm"},
+      {{"--thickness-mm="}, "--thickness-mm: needs a value: a number between 0.05 and 500 mm"},
+      {{"--thickness-mm", "--quiet"}, "--thickness-mm: needs a value: a number between 0.05 and 500 mm"},
       {{"--nose"}, "--nose: needs a value: one of blunt, conical, ogival, hemispherical"},
       {{"--restart"}, "--restart: needs a value: the name of a checkpoint file"},
       {{"--config"}, "--config: needs a value: the name of a TOML file"},
@@ -174,8 +174,8 @@ TEST_CASE("errors in a TOML file name file, line, key and what is allowed") {
   };
   const std::vector<Bad> all{
       {"# case\nthickness_mm = \"12\"\n",
-       ":2: thickness_mm = \"12\": must be a number between 0.5 and 100 mm, written without the unit"},
-      {"thickness_mm = -3\n", ":1: thickness_mm = -3: must lie between 0.5 and 100 mm"},
+       ":2: thickness_mm = \"12\": must be a number between 0.05 and 500 mm, written without the unit"},
+      {"thickness_mm = -3\n", ":1: thickness_mm = -3: must lie between 0.05 and 500 mm"},
       {"\n\nvelocity_mps = nan\n", ":3: velocity_mps = nan: must lie between 1 and 3000 m/s"},
       {"velocity_mps = inf\n", ":1: velocity_mps = inf: must lie between 1 and 3000 m/s"},
       {"velocity_mps = [1, 2]\n", ":1: velocity_mps = an array: must be a number between 1 and 3000 m/s"},
@@ -359,7 +359,7 @@ TEST_CASE("the long help has every option, with its source, and fits a terminal"
   CHECK(fits_a_terminal(text.str()));
   CHECK(text.str().find("\nGeneral:\n") == text.str().rfind("\nGeneral:\n"));
   for (const char *part :
-       {"; 0.5 to 100 mm", "conical, ogival,", "--no-vtk", "paper, Fig. 11", "Exit status: 0 done", "\nProjectile:\n"})
+       {"; 0.05 to 500 mm", "conical, ogival,", "--no-vtk", "paper, Fig. 11", "Exit status: 0 done", "\nProjectile:\n"})
     CHECK_THAT(text.str(), Catch::Matchers::Contains(part));
 }
 

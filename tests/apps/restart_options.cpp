@@ -143,23 +143,31 @@ TEST_CASE("a run that takes up another does so if that is the same case and has 
                                                                                        {"--spacing-mm", "0.7"},
                                                                                        {"--model", "jc"},
                                                                                        {"--friction", "0.1"},
-                                                                                       {"--end-us", "900"},
                                                                                        {"--vtk"},
                                                                                        {"--output-every-us", "1"}}) {
     std::vector<const char *> more = other;
     more.push_back("--resume");
-    CHECK_FALSE(with(more).restart);
+    std::vector<const char *> all{"--nose", "conical", "--no-vtk", "--out", out.c_str()};
+    all.insert(all.end(), more.begin(), more.end());
+    const std::string named = other.front();
+    CHECK(refusal(all) == "--resume = " + out +
+                              ": the checkpoint there cannot be resumed, it is of a run with another " + named +
+                              "; give another --out, or leave --resume out to begin anew");
   }
+  CHECK(with({"--end-us", "900", "--resume"}).restart);
+  CHECK_THAT(refusal({"--nose", "conical", "--no-vtk", "--out", out.c_str(), "--resume", "--end-us", "12"}),
+             Catch::Contains("its time, 12.5 us, is after --end-us"));
 
   write(folder.path / "summary.json", "{}");
   CHECK_FALSE(with({"--resume"}).restart);
   std::filesystem::remove(folder.path / "summary.json");
   REQUIRE(with({"--resume"}).restart);
   ogive::write_checkpoint_file(file, 8, "notes", {});
-  CHECK(with({"--resume"}) == fresh);
+  CHECK_THAT(refusal({"--nose", "conical", "--no-vtk", "--out", out.c_str(), "--resume"}),
+             Catch::Contains("was not written by ogive shoot"));
 }
 
-TEST_CASE("a run does not take up one with other constants of the metal") {
+TEST_CASE("a run does not resume one with other constants of the metal") {
   const TemporaryFolder folder;
   const std::string steel = (folder.path / "steel.toml").string(), out = folder.path.string();
   const std::string text = materials::to_toml(plate_of(Options{}), "");
@@ -170,5 +178,5 @@ TEST_CASE("a run does not take up one with other constants of the metal") {
   const auto at = text.find("\nC = ");
   REQUIRE(at != std::string::npos);
   write(steel, text.substr(0, at) + "\nC = 0.5" + text.substr(text.find('\n', at + 1)));
-  CHECK_FALSE(options_of(resume).restart);
+  CHECK_THAT(refusal(resume), Catch::Contains("it is of another metal"));
 }

@@ -323,3 +323,22 @@ TEST_CASE("damage follows the pressure of the neighbours where a point has one",
         Approx(among.plastic_strain / std::exp(-1.5 * -pressure / von_mises(among.deviator))).epsilon(1e-12));
   CHECK(alone.damage < 0.5 * among.damage);
 }
+
+TEST_CASE("constants of damage that make no sense are doubtful, those of the library are not", "[material]") {
+  const auto doubts = [](double D1, double D2, double D3, double D4, double D5, double rate = 1) {
+    return doubts_of(FailureStrain<double>{D1, D2, D3, D4, D5, rate});
+  };
+  for (const auto &metal : {library::weldox_460e_mjc<double>(), library::aa5083_h116_mjc<double>()})
+    CHECK(doubts_of(metal.damage.failure_strain).empty());
+  // 6061-T6 as published: -0.77 + 1.45 exp(-0.47 s) is zero at s = ln(1.45/0.77)/0.47 = 1.347.
+  const auto negative = doubts(-0.77, 1.45, -0.47, 0, 1.6);
+  REQUIRE(negative.size() == 1);
+  CHECK_THAT(negative[0], Catch::Contains("below zero from triaxiality 1.35 on (D1 = -0.77, D2 = 1.45, D3 = -0.47)"));
+  // The sign of a code whose pressure is positive in compression.
+  const auto rising = doubts(0.03, 0.5, 0.952, 0, 0);
+  REQUIRE(rising.size() == 1);
+  CHECK_THAT(rising[0], Catch::Contains("rises with tension, from 0.53 at triaxiality 0 to 3.39 at 2 (D3 = 0.952)"));
+  CHECK(doubts(0.5, 0, 0.952, 0, 0).empty()); // D3 has no effect
+  CHECK(doubts(0.5, 0.2, -2, 0, -1.5).size() == 1);
+  CHECK(doubts(0.5, 0.2, -2, 0.4, 0).size() == 1); // 10^(4*0.4) = 40 times
+}

@@ -15,24 +15,25 @@ Flight<double> flight_of(Nose nose) {
   return start_flight(c);
 }
 
-const auto loose = [] { return true; };
-const auto hanging = [] { return false; };
+const auto loose = [] { return Way<double>{true, 0}; };
+const auto hanging = [] { return Way<double>{false, 0}; };
 
 /// Samples each microsecond from `time` (us) of a projectile of 80 mm with a nose of 30 mm whose tail is at `tail` (m).
 template <class Velocity, class Loose>
 void fly(Flight<double> &flight, int from, int to, Velocity &&velocity, Loose &&is_loose, double tail = -60e-3) {
   for (int t = from; t < to && flight.state == FlightState::in_progress; ++t)
-    record(flight, {t * 1e-6, velocity(t), tail + 80e-3, tail + 50e-3, tail}, is_loose);
+    record(flight, {t * 1e-6, velocity(t), tail + 80e-3, tail + 50e-3, tail, velocity(t)}, is_loose);
 }
 
 } // namespace
 
 TEST_CASE("a blunt shot is perforated once its velocity is steady and the plug loose", "[perforation]") {
   // 1 mm at 200 m/s takes 5 us: 10 us is the least interval.
-  CHECK(steady_interval(200.0) == Approx(10e-6));
-  CHECK(steady_interval(50.0) == Approx(20e-6));
-  CHECK(steady_interval(1.0) == Approx(60e-6));
-  CHECK(steady_interval(-5.0) == Approx(60e-6));
+  CHECK(steady_interval(200.0, 20e-3) == Approx(10e-6));
+  CHECK(steady_interval(50.0, 20e-3) == Approx(20e-6));
+  CHECK(steady_interval(1.0, 20e-3) == Approx(60e-6));
+  CHECK(steady_interval(-5.0, 20e-3) == Approx(60e-6));
+  CHECK(steady_interval(50.0, 2e-3) == Approx(2e-6)); // a copy ten times smaller
 
   const auto slowing = [](int t) { return t < 50 ? 300.0 - 2 * t : 200.0; };
   auto flight = flight_of(Nose::blunt);
@@ -45,9 +46,9 @@ TEST_CASE("a blunt shot is perforated once its velocity is steady and the plug l
   CHECK(flight.samples.back().time == Approx(60e-6)); // 10 us after the velocity came to rest
   CHECK_FALSE(flight.velocity_at_tail);
   // Who goes on to watch the plate changes no conclusion, and does not look for the plug again.
-  record(flight, {61e-6, -100, 0, 0, 0}, [] {
+  record(flight, {61e-6, -100, 0, 0, 0, -100}, [] {
     FAIL("concluded already");
-    return false;
+    return Way<double>{};
   });
   CHECK(flight.state == FlightState::perforated);
 
@@ -84,11 +85,55 @@ TEST_CASE("a projectile that flies back has been stopped", "[perforation]") {
   }
 }
 
-TEST_CASE("a blunt projectile at rest is neither perforated nor stopped", "[perforation]") {
+TEST_CASE("a projectile at rest in the plate has been stopped, one behind it is undecided", "[perforation]") {
+  const auto creeping = [](int) { return 1.0; }; // below 0.5 % of 300 m/s
+  for (const Nose nose : {Nose::blunt, Nose::conical}) {
+    auto stuck = flight_of(nose);
+    fly(stuck, 0, 400, creeping, hanging);
+    CHECK(stuck.state == FlightState::stopped);
+    CHECK(stuck.samples.back().time == Approx(60e-6).margin(1.1e-6)); // after the longest interval
+  }
+  auto free = flight_of(Nose::blunt);
+  fly(free, 0, 400, creeping, loose);
+  CHECK(free.state == FlightState::in_progress);
+}
+
+TEST_CASE("a blunt projectile that flies with the plate has not perforated it", "[perforation]") {
+  const auto carried = [](int) { return 20.0; };
   auto flight = flight_of(Nose::blunt);
-  fly(
-      flight, 0, 400, [](int) { return 1.0; }, loose); // below 0.5 % of 300 m/s
+  fly(flight, 0, 400, carried, [] { return Way<double>{true, 19}; });
   CHECK(flight.state == FlightState::in_progress);
+  fly(flight, 400, 401, carried, [] { return Way<double>{true, 18}; }); // 2 m/s faster: above 0.5 % of 300 m/s
+  CHECK(flight.state == FlightState::perforated);
+}
+
+TEST_CASE("a chain of debris does not count once the tail has left at a steady velocity", "[perforation]") {
+  const auto steady = [](int) { return 200.0; };
+  for (const Nose nose : {Nose::blunt, Nose::conical}) {
+    auto inside = flight_of(nose), behind = flight_of(nose);
+    fly(inside, 0, 100, steady, hanging, 11.9e-3);
+    CHECK(inside.state == FlightState::in_progress);
+    fly(behind, 0, 100, steady, hanging, 12.1e-3);
+    CHECK(behind.state == FlightState::perforated);
+    CHECK(residual_velocity(behind) == 200);
+  }
+}
+
+TEST_CASE("a blunt projectile has not perforated before its nose is behind the plate", "[perforation]") {
+  const auto steady = [](int) { return 200.0; };
+  auto inside = flight_of(Nose::blunt), behind = flight_of(Nose::blunt);
+  fly(inside, 0, 100, steady, loose, -68.1e-3); // nose at 11.9 mm
+  CHECK(inside.state == FlightState::in_progress);
+  fly(behind, 0, 100, steady, loose, -67.9e-3);
+  CHECK(behind.state == FlightState::perforated);
+}
+
+TEST_CASE("an oblique projectile that slides off the front face has been stopped", "[perforation]") {
+  auto flight = flight_of(Nose::conical);
+  record(flight, {0, 250, 5e-3, -30e-3, -60e-3, 10}, hanging);
+  CHECK(flight.state == FlightState::in_progress);
+  record(flight, {1e-6, 250, 5e-3, -30e-3, -60e-3, -1}, hanging); // along the line of flight it is still fast
+  CHECK(flight.state == FlightState::stopped);
 }
 
 TEST_CASE("a sharp shot notes shoulder and tail and ends when the tail has left", "[perforation]") {
@@ -97,7 +142,7 @@ TEST_CASE("a sharp shot notes shoulder and tail and ends when the tail has left"
   // The tail starts 100 mm above the front face; 0.25 mm each us; the shank drags on the plate all the time.
   for (int t = 0; t < 1000 && flight.state == FlightState::in_progress; ++t) {
     const double tail = -100e-3 + 0.25e-3 * t;
-    record(flight, {t * 1e-6, 250 - 0.05 * t, tail + 100e-3, tail + 68e-3, tail}, hanging);
+    record(flight, {t * 1e-6, 250 - 0.05 * t, tail + 100e-3, tail + 68e-3, tail, 250}, loose);
   }
   CHECK(flight.state == FlightState::perforated);
   // Shoulder 12 mm deep at t = (12 + 32)/0.25 = 176, tail at 448; a sample either way is round-off.
@@ -120,6 +165,7 @@ TEST_CASE("a flight is read off the model", "[perforation]") {
     model.nodes.position[n][2] -= 50e-3;
   const auto s = observe_flight(model, c.projectile, start_flight(c));
   CHECK(s.velocity == Approx(303.5));
+  CHECK(s.advance == Approx(303.5));
   CHECK(s.nose == Approx(50e-3));
   CHECK(s.shoulder == Approx(20e-3)); // the nose is 30 mm long
   CHECK(s.tail == Approx(-48e-3));    // 98 mm in all

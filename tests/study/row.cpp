@@ -163,6 +163,20 @@ TEST_CASE("A row is made of the summary of a shot without a fault") {
   CHECK(result(row, "cpu_s") == "1.5");
   CHECK(result(row, "state_hash") == "00ff");
 
+  // An undecided shot has neither.
+  CHECK_FALSE(is_undecided(row));
+  auto undecided = json;
+  undecided["perforated"] = undecided["residual_velocity_mps"] = nullptr;
+  row = row_of(key_at(200), undecided, "name");
+  CHECK(is_undecided(row));
+  CHECK(result(row, "residual_velocity_mps").empty());
+  const TemporaryFolder undecided_folder;
+  append_row(undecided_folder.path / "shots.csv", row, {});
+  CHECK(is_undecided(read_all_rows(undecided_folder.path, {}).at(0)));
+  append_row(undecided_folder.path / "shots.csv", row_of(key_at(200), json, "name"), {});
+  REQUIRE(read_all_rows(undecided_folder.path, {}).size() == 1);
+  CHECK_FALSE(is_undecided(read_all_rows(undecided_folder.path, {}).at(0)));
+
   // Several plates have no shape.
   json.erase("dishing_mm");
   row = row_of(key_at(200), json, "name");
@@ -173,7 +187,7 @@ TEST_CASE("A row is made of the summary of a shot without a fault") {
     part.erase(column);
     CHECK(reason(part).find(column) != std::string::npos);
   }
-  json["residual_velocity_mps"] = nullptr;
+  json["steps"] = nullptr;
   CHECK(reason(json).find("must be number, but is null") != std::string::npos);
   json = sample_summary();
   json["fault"] = {{"what", "negative\nvolume"}};

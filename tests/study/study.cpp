@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "study/study.hpp"
 #include "sample.hpp"
+#include "study/limits.hpp"
 
 #include "catch.hpp"
 #include "io/temporary_folder.hpp"
@@ -50,7 +50,7 @@ TEST_CASE("Shots are run once: rows, summaries without a row and frames count as
   CHECK(outcome.failed.empty());
   CHECK(outcome.stopped_by == 0);
   REQUIRE(small.said.size() == 3);
-  CHECK(small.said[0].starts_with("mjc_weldox_460e_blunt_4mm_150mps_2mm: 0.0 m/s, "));
+  CHECK(small.said[0].starts_with("mjc_weldox_460e_blunt_4mm_150mps_2mm: undecided, "));
   CHECK(velocities_of(small.rows()) == std::vector<double>{150, 200, 250});
   const auto hashes = hashes_of(small.rows());
 
@@ -125,7 +125,50 @@ TEST_CASE("Results of another case in the folder of a shot are a failure that na
 
   // What is no part of the case may differ.
   CHECK(small.run({small_case(200, {{"output_every_us", "1"}, {"vtk", "false"}})}).known == 1);
-  CHECK(contains(small.run({small_case(200, {{"end_us", "6"}})}).failed.at(0), "another end_us"));
+}
+
+TEST_CASE("A shot that is undecided at the end of its time resumes when it is given more") {
+  const SmallStudy small, whole;
+  CHECK(small.run({small_case(200)}).run == 1);
+  CHECK(is_undecided(small.rows().at(0)));
+  CHECK(contains(small.said.at(0), "undecided, "));
+  CHECK(small.run({small_case(200)}).known == 1);
+  CHECK(small.run({small_case(200, {{"end_us", "6"}})}).run == 1);
+  REQUIRE(small.rows().size() == 1);
+  CHECK(number(small.rows().at(0), "simulated_us") >= 6);
+  whole.run({small_case(200, {{"end_us", "6"}})});
+  CHECK(hashes_of(small.rows()) == hashes_of(whole.rows()));
+}
+
+TEST_CASE("The search for a limit ends with a reason at a shot without a verdict and above all velocities") {
+  const SmallStudy small;
+  std::vector<std::string> said;
+  const auto report = [&](const std::string &line) { said.push_back(line); };
+  Series series = series_of(small_case(200));
+  series.guess_mps = 200;
+  const Outcome undecided = find_limits(small.study, {series}, 5, report);
+  CHECK(undecided.run == 1);
+  REQUIRE(undecided.failed.size() == 1);
+  CHECK(contains(undecided.failed[0], "undecided at 5"));
+  CHECK(contains(undecided.failed[0], "a later --end-us decides it"));
+
+  // All shots up to the highest velocity were stopped.
+  std::vector<double> velocities{200};
+  for (const SmallStudy fast; velocities.back() <= shot::largest_velocity_mps;) {
+    auto rows = std::vector<Row>{};
+    for (const double v : velocities) rows.push_back(sample_row(shot_of(series, v, {}).key, 1e9));
+    const auto next = next_velocity(series, rows, 5);
+    REQUIRE(next);
+    if (*next > shot::largest_velocity_mps) {
+      fs::create_directories(fast.study.out);
+      for (const Row &row : rows) append_row(rows_file(fast.study), row, {});
+      const Outcome above = find_limits(fast.study, {series}, 5, report);
+      CHECK(above.run == 0);
+      REQUIRE(above.failed.size() == 1);
+      CHECK(contains(above.failed[0], "no shot up to 3000 m/s perforates"));
+    }
+    velocities.push_back(*next);
+  }
 }
 
 TEST_CASE("Two jobs give the same hashes as one") {
@@ -207,11 +250,11 @@ TEST_CASE("A full disk or damaged rows lose no shot") {
 
 TEST_CASE("Bisection goes on for the other series where a shot fails, and counts known shots") {
   const SmallStudy small(2);
-  const Series sound = series_of(small_case(200));
+  const Series sound = series_of(small_case(200, {{"end_us", "3000"}}));
   Series broken = series_of(small_case(200, {{"thickness_mm", "5"}}));
   broken.options.sph_radius_mm = 3;
   fs::create_directories(small.study.out);
-  // All real shots of these tests end before they perforate: the bracket of 12 m/s shrinks from below.
+  // The bracket of 12 m/s shrinks with each shot that is decided.
   append_row(rows_file(small.study), sample_row(shot_of(sound, 100, {}).key, 105), {});
   append_row(rows_file(small.study), sample_row(shot_of(sound, 112, {}).key, 105), {});
   std::vector<std::string> said;

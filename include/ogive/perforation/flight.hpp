@@ -3,6 +3,7 @@
 
 #include "ogive/mesh/projectile.hpp"
 #include "ogive/perforation/setup.hpp"
+#include "ogive/perforation/way.hpp"
 #include "ogive/sim/energy.hpp"
 
 #include <algorithm>
@@ -19,14 +20,16 @@ template <class T> struct FlightSample {
   T nose{};     ///< depth of the foremost point below the plate's front face, m
   T shoulder{}; ///< depth of the nose's shoulder, m
   T tail{};     ///< depth of the rear end, m
+  T advance{};  ///< velocity normal to the plate and into it, m/s: that of the line of flight unless it is oblique
 };
 
-/// State of a shot.
+/// State of a shot. One whose time ends in progress is undecided.
 enum class FlightState { in_progress, perforated, stopped };
 
 /// The projectile's flight so far and what has been concluded from it.
 template <class T> struct Flight {
   T plate_thickness{};                          ///< m, from the front face to the rear one, of the last plate
+  T diameter{};                                 ///< m, of the projectile
   T initial_velocity{};                         ///< m/s
   Vec3<T> direction{T(0), T(0), T(-1)};         ///< of the initial flight
   bool sharp = false;                           ///< the nose has a length
@@ -38,7 +41,7 @@ template <class T> struct Flight {
 
 /// Calls `f(value)` for each value of a sample: the list that checkpoints write and read.
 template <class T, class F> void for_each_field(FlightSample<T> &s, F &&f) {
-  f(s.time), f(s.velocity), f(s.nose), f(s.shoulder), f(s.tail);
+  f(s.time), f(s.velocity), f(s.nose), f(s.shoulder), f(s.tail), f(s.advance);
 }
 
 /// Calls `f(value)` for each value of a flight that start_flight() does not give.
@@ -50,6 +53,7 @@ template <class T, class F> void for_each_field(Flight<T> &flight, F &&f) {
 template <class T> Flight<T> start_flight(const PerforationCase<T> &c) {
   Flight<T> flight;
   flight.plate_thickness = target_depth(c);
+  flight.diameter = c.projectile.diameter;
   flight.initial_velocity = c.initial_velocity;
   flight.direction = direction_of_flight(c);
   flight.sharp = c.projectile.nose != Nose::blunt;
@@ -63,7 +67,9 @@ FlightSample<T> observe_flight(const M &model, const ProjectileShape<T> &shape, 
   const auto &nodes = model.nodes;
   FlightSample<T> s;
   s.time = model.time;
-  s.velocity = mean_velocity(nodes, body.nodes).dot(flight.direction);
+  const Vec3<T> velocity = mean_velocity(nodes, body.nodes);
+  s.velocity = velocity.dot(flight.direction);
+  s.advance = -velocity[2];
   const T lowest =
       parallel_min(body.nodes.size(), T(1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
   const T highest =
@@ -74,41 +80,60 @@ FlightSample<T> observe_flight(const M &model, const ProjectileShape<T> &shape, 
   return s;
 }
 
-/// Interval over which a velocity must stay constant to be called steady, s: the time in which the projectile moves on
-/// by a millimetre, between 10 and 60 us.
-template <class T> T steady_interval(T velocity) {
-  return std::clamp(T(1e-3) / std::max(velocity, T(1e-3)), T(10e-6), T(60e-6));
+/// Interval over which a velocity must stay constant to be called steady, s: the time in which a projectile of this
+/// diameter (m) covers a twentieth of it, between 0.5 and 3 ms for each metre of diameter (10 and 60 us for 20 mm).
+template <class T> T steady_interval(T velocity, T diameter) {
+  return std::clamp(T(0.05) * diameter / std::max(velocity, T(1e-3)), T(0.5e-3) * diameter, T(3e-3) * diameter);
 }
 
-/// True if the velocity changed by less than `tolerance` (m/s) over the interval that ends now.
-template <class T> bool is_steady(const std::vector<FlightSample<T>> &samples, T tolerance) {
+/// True if the velocity changed by less than `tolerance` (m/s) over the interval that ends now, with three samples in
+/// it.
+template <class T> bool is_steady(const Flight<T> &flight, T tolerance) {
+  const auto &samples = flight.samples;
   const FlightSample<T> &now = samples.back();
-  const T since = now.time - steady_interval(now.velocity);
+  const T since = now.time - steady_interval(now.velocity, flight.diameter);
   if (samples.front().time > since) return false;
-  for (auto s = samples.rbegin(); s != samples.rend() && s->time >= since; ++s)
+  int count = 0;
+  for (auto s = samples.rbegin(); s != samples.rend() && s->time >= since; ++s, ++count)
     if (std::abs(s->velocity - now.velocity) > tolerance) return false;
-  return true;
+  return count > 2;
 }
 
-/// Records a sample and concludes. Blunt: perforated once the velocity is steady (0.1 % of the initial velocity) and
-/// `is_plug_loose()` is true; before that a plug that still hangs on the plate may come back to the nose. Sharp:
-/// perforated once the tail has left the rear face. Stopped once the projectile moves backwards by more than 0.2 % of
-/// the initial velocity. What has been concluded stays.
-template <class T, class IsPlugLoose>
-void record(Flight<T> &flight, const FlightSample<T> &sample, IsPlugLoose &&is_plug_loose) {
-  flight.samples.push_back(sample);
+/// The state that the samples up to now show. `find_way()` gives the Way<T> and is called only where it decides.
+///
+/// Stopped: the projectile moves away from the plate by more than 0.2 % of the initial velocity; or its velocity is
+/// steady below 0.5 % of that while a plate is in its way. A velocity is steady if it changes by less than 0.1 % of the
+/// initial one over steady_interval().
+///
+/// Perforated, sharp: the tail has left the last plate, and nothing is in the way or the velocity is steady.
+/// Perforated, blunt: the nose is behind the last plate and the velocity steady, by more than 0.5 % of the initial one
+/// above that of the plate beside the projectile, and nothing is in the way: a plug that still hangs on the plate may
+/// come back to the nose. If the tail has left too, what a chain of debris still connects to the plate does not count
+/// as in the way.
+template <class T, class FindWay> FlightState state_of(const Flight<T> &flight, FindWay &&find_way) {
+  const FlightSample<T> &now = flight.samples.back();
   const T tolerance = T(1e-3) * flight.initial_velocity;
+  if (now.advance < T(-2) * tolerance) return FlightState::stopped;
+  const bool has_left = now.tail >= flight.plate_thickness, steady = is_steady(flight, tolerance);
+  const bool moves = now.velocity > T(5) * tolerance;
+  if (flight.sharp && has_left) return steady || find_way().clear ? FlightState::perforated : FlightState::in_progress;
+  if (!steady || (flight.sharp && moves)) return FlightState::in_progress;
+  const Way<T> way = find_way();
+  if (!moves) return way.clear || has_left ? FlightState::in_progress : FlightState::stopped;
+  const bool moves_on = now.velocity - way.plate_velocity > T(5) * tolerance;
+  return moves_on && now.nose > flight.plate_thickness && (way.clear || has_left) ? FlightState::perforated
+                                                                                  : FlightState::in_progress;
+}
+
+/// Records a sample and concludes, see state_of(). A conclusion is final.
+template <class T, class FindWay> void record(Flight<T> &flight, const FlightSample<T> &sample, FindWay &&find_way) {
+  flight.samples.push_back(sample);
   if (flight.sharp) {
     if (!flight.velocity_at_shoulder && sample.shoulder >= flight.plate_thickness)
       flight.velocity_at_shoulder = sample.velocity;
     if (!flight.velocity_at_tail && sample.tail >= flight.plate_thickness) flight.velocity_at_tail = sample.velocity;
   }
-  if (flight.state != FlightState::in_progress) return;
-  if (sample.velocity < T(-2) * tolerance)
-    flight.state = FlightState::stopped;
-  else if (flight.sharp ? flight.velocity_at_tail.has_value()
-                        : sample.velocity > T(5) * tolerance && is_steady(flight.samples, tolerance) && is_plug_loose())
-    flight.state = FlightState::perforated;
+  if (flight.state == FlightState::in_progress) flight.state = state_of(flight, find_way);
 }
 
 /// Residual velocity, m/s: 0 unless perforated.

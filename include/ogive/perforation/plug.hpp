@@ -187,18 +187,6 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   return whole;
 }
 
-/// True once a piece of at least 1 g has come off the plate; of several plates, off each one of its share of that by
-/// the masses of the particles.
-template <class M> bool is_plug_loose(const M &model) {
-  double all = 0;
-  for (const auto &body : model.bodies.plate_particles) all += double(whole_mass(body.point_mass, model.symmetry));
-  for (std::size_t layer = 0; layer < model.bodies.plate_particles.size(); ++layer) {
-    const double share = double(whole_mass(plate_particles(model, layer).point_mass, model.symmetry)) / all;
-    if (!(find_fragments_of(model, layer).plug_mass > 1e-3 * share)) return false;
-  }
-  return true;
-}
-
 /// How far the particle of a plate that is deepest inside the projectile lies behind its surface, m; 0 if none is
 /// inside. Removed particles may be anywhere.
 template <class M, class Body> auto largest_intrusion_of(const M &model, const Body &body) {

@@ -14,8 +14,19 @@
 
 namespace ogive {
 
+/// Kinds of faults in the loop.
+enum class FaultKind {
+  not_finite, ///< a position or velocity that is no number
+  inverted,   ///< a hex without volume
+  lost,       ///< a node or particle that went through a surface
+  astray,     ///< a node far outside the model
+  small_step, ///< the stable time step collapsed
+  energy      ///< the energy is not conserved
+};
+
 /// What went wrong in the loop, where and when.
 struct Fault {
+  FaultKind kind = FaultKind::not_finite;
   std::string what;   ///< one line, with the values
   std::string body;   ///< its name
   Index id = -1;      ///< node, particle or hex of the body; -1: none in particular
@@ -30,8 +41,9 @@ template <class T> std::string in_mm(const Vec3<T> &x) {
 }
 
 /// The fault of a node, with its body and its number there.
-template <class T, class Bodies> Fault node_fault(const Model<T, Bodies> &model, Index node, const std::string &what) {
-  Fault fault{what, "nodes", node, double(model.time) * 1e6};
+template <class T, class Bodies>
+Fault node_fault(const Model<T, Bodies> &model, FaultKind kind, Index node, const std::string &what) {
+  Fault fault{kind, what, "nodes", node, double(model.time) * 1e6};
   for_each_body(model, [&](const auto &body) {
     if (node >= body.nodes.begin && node < body.nodes.end) fault.body = body.name, fault.id = node - body.nodes.begin;
   });
@@ -54,7 +66,7 @@ template <class T, class Bodies> std::optional<Fault> find_not_finite(const Mode
   std::ostringstream what;
   what << "position or velocity is not a finite number: " << in_mm(nodes.position[n]) << ", ("
        << nodes.velocity[n].transpose() << ") m/s";
-  return node_fault(model, n, what.str());
+  return node_fault(model, FaultKind::not_finite, n, what.str());
 }
 
 /// The fault of a hex that has no volume left, as a whole or at one of several material points.
@@ -71,7 +83,7 @@ Fault inverted_fault(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, I
     at = x.transpose() * shape_functions<T>(gauss_point<T>(smallest.point));
   }
   what << ": " << 1e9 * double(smallest.volume) << " mm3 at " << in_mm<T>(at);
-  return {what.str(), body.name, hex, 0};
+  return {FaultKind::inverted, what.str(), body.name, hex, 0};
 }
 
 /// A hex of a body without volume, as a whole or at one of several material points, if any, where hexes have at least
@@ -109,12 +121,12 @@ template <class T, class Bodies> std::optional<Fault> find_lost(const Model<T, B
     std::ostringstream what;
     what << "lies more than " << 1e3 * double(contact.search_margin) << " mm behind the surface of the contact \""
          << contact.name << "\", at " << in_mm(model.nodes.position[node]);
-    return node_fault(model, node, what.str());
+    return node_fault(model, FaultKind::lost, node, what.str());
   }
   for (const auto &contact : model.particle_contacts) {
     if (contact.lost < 0) continue;
     const Index node = contact.nodes.begin + contact.lost;
-    return node_fault(model, node,
+    return node_fault(model, FaultKind::lost, node,
                       "lies deep within another body of the contact \"" + contact.name + "\", at " +
                           in_mm(model.nodes.position[node]));
   }
@@ -149,7 +161,7 @@ std::optional<Fault> find_astray(const Model<T, Bodies> &model, const Start<T> &
   std::ostringstream what;
   what << "is out of the domain, farther than " << 1e3 * double(reach) << " mm from its middle: at "
        << in_mm(nodes.position[n]) << ", " << nodes.velocity[n].norm() << " m/s";
-  return node_fault(model, n, what.str());
+  return node_fault(model, FaultKind::astray, n, what.str());
 }
 
 } // namespace ogive

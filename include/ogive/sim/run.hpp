@@ -108,7 +108,7 @@ std::optional<Fault> find_small_step(const Model<T, Bodies> &model, const RunOpt
   if (auto fault = find_not_finite(model)) return fault;
   std::ostringstream what;
   what << "the stable time step fell to " << state.time_step << " s, from " << state.first_step << " s";
-  Fault fault{what.str(), "model", -1, double(model.time) * 1e6};
+  Fault fault{FaultKind::small_step, what.str(), "model", -1, double(model.time) * 1e6};
   T shortest = std::numeric_limits<T>::max();
   for_each_deformable(model, [&](const auto &body) {
     const T dt = stable_time_step(body, model.nodes);
@@ -130,7 +130,7 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunO
   std::ostringstream what;
   what << "the error of the energy balance is " << double(error) * 100 << " %: " << total(ledger) << " J, from "
        << state.initial_energy << " J";
-  return Fault{what.str(), "model", -1, double(model.time) * 1e6};
+  return Fault{FaultKind::energy, what.str(), "model", -1, double(model.time) * 1e6};
 }
 
 /// Steps the model until `options.end_time` is reached. `observer(model, ledger)` (model const) is called at the start,
@@ -179,7 +179,12 @@ RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T>
     lap(Phase::observer);
     if (!continues) return {StopReason::observer, std::nullopt};
   }
-  if (state.observed_at != model.steps) observe(energy(model));
+  // However short the run was.
+  const Energy<T> ledger = energy(model);
+  auto fault = find_fault(model, options, state);
+  if (!fault) fault = find_energy_error(model, options, state, ledger);
+  if (fault) return stop_at(*fault);
+  if (state.observed_at != model.steps) observe(ledger);
   return {};
 }
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/perforation/plug.hpp"
+
+#include <limits>
+
+namespace ogive {
+
+/// The plates as the projectile meets them: the basis of the verdict whether it has perforated them.
+template <class T> struct Way {
+  bool clear = true;  ///< nothing that hangs on a plate's rim lies before the projectile
+  T plate_velocity{}; ///< m/s along the line of flight, mean of what hangs on the plates beside it; 0: nothing does
+};
+
+/// The projectile's axis of motion.
+template <class T> struct Axis {
+  Vec3<T> middle;    ///< m, centre of mass
+  Vec3<T> direction; ///< unit vector of the mean velocity
+  T front{};         ///< m, distance of the foremost node from the middle along it
+  T rear{};          ///< m, likewise of the last node; negative
+};
+
+/// The axis of motion of the projectile now, whole in symmetric models; at rest along `direction`.
+template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T> &direction) {
+  const auto &nodes = model.nodes;
+  const NodeRange range = projectile(model).nodes;
+  Vec3<T> middle = Vec3<T>::Zero(), velocity = Vec3<T>::Zero();
+  T mass{};
+  for (Index n = range.begin; n < range.end; ++n)
+    mass += nodes.mass[n], middle += nodes.mass[n] * nodes.position[n], velocity += nodes.mass[n] * nodes.velocity[n];
+  if (model.symmetry.x) middle[0] = velocity[0] = T(0);
+  if (model.symmetry.y) middle[1] = velocity[1] = T(0);
+  const T speed = velocity.norm();
+  constexpr T infinite = std::numeric_limits<T>::infinity();
+  Axis<T> axis{middle / mass, speed > T(0) ? Vec3<T>(velocity / speed) : direction, -infinite, infinite};
+  for (Index n = range.begin; n < range.end; ++n) {
+    const T along = (nodes.position[n] - axis.middle).dot(axis.direction);
+    axis.front = std::max(axis.front, along), axis.rear = std::min(axis.rear, along);
+  }
+  return axis;
+}
+
+/// The way of a projectile of this radius (m) that was fired along `direction`. What hangs within three quarters of its
+/// radius from the axis of motion, farther ahead than its foremost node, is in the way: nearer to its edge the hole's
+/// rim may bend to the rear.
+template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direction, T radius) {
+  const Axis<T> axis = axis_of_motion(model, direction);
+  Way<T> way;
+  T mass{}, momentum{};
+  const auto take = [&](const Vec3<T> &position, const Vec3<T> &velocity, T cell_mass, T spacing) {
+    const Vec3<T> gap = position - axis.middle;
+    const T along = gap.dot(axis.direction), aside = (gap - along * axis.direction).norm();
+    if (along > axis.front && aside < T(0.75) * radius) way.clear = false;
+    if (along > axis.front || along < axis.rear || aside > radius + T(3) * spacing) return;
+    mass += cell_mass;
+    momentum += cell_mass * velocity.dot(direction);
+  };
+  for (std::size_t layer = 0; layer < model.bodies.plate_particles.size(); ++layer) {
+    const auto &body = plate_particles(model, layer);
+    const Pieces pieces = find_pieces(model, 1.5, layer);
+    const Index cells = static_cast<Index>(pieces.of.size());
+    for (Index i = 0; i < cells; ++i) {
+      if (!pieces.hangs(i)) continue;
+      const auto cell = plate_cell(model, i, layer);
+      take(cell.position, cell.velocity, body.point_mass[i], body.spacing);
+    }
+    const auto &rim = plate_hexes(model, layer);
+    for (Index e = model.conversions.empty() ? 0 : cells; e < static_cast<Index>(rim.hexes.size()); ++e) {
+      if (is_removed(rim, e)) continue;
+      Vec3<T> position = Vec3<T>::Zero(), velocity = Vec3<T>::Zero();
+      T hex_mass{};
+      for (const Index n : rim.hexes[e])
+        position += T(0.125) * model.nodes.position[n], velocity += T(0.125) * model.nodes.velocity[n],
+            hex_mass += T(0.125) * model.nodes.mass[n];
+      take(position, velocity, hex_mass, body.spacing);
+    }
+  }
+  if (mass > T(0)) way.plate_velocity = momentum / mass;
+  return way;
+}
+
+} // namespace ogive
