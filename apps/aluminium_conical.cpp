@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "options/spinning.hpp"
+#include "options/exit_status.hpp"
 #include "study/figures.hpp"
 
 /// Figs. 12 to 14: conical projectiles on AA5083-H116 plates of 15 to 30 mm.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "options/spinning.hpp"
+#include "options/exit_status.hpp"
 #include "study/figures.hpp"
 
 /// Fig. 11: blunt, conical and ogival projectiles on 12 mm Weldox 460 E.

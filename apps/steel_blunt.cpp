@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "options/spinning.hpp"
+#include "options/exit_status.hpp"
 #include "study/figures.hpp"
 
 /// Figs. 6 to 10: blunt projectiles on Weldox 460 E plates of 6 to 20 mm.

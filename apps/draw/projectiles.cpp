@@ -3,9 +3,9 @@
 
 #include "plot.hpp"
 
-#include "ogive/mesh/projectile_shape.hpp"
 #include "ogive/io/text.hpp"
 #include "ogive/material/library.hpp"
+#include "ogive/mesh/projectile_shape.hpp"
 
 #include <array>
 #include <cmath>

@@ -9,19 +9,12 @@
 #include "study/plots.hpp"
 
 #include "ogive/io/atomic_file.hpp"
-#include "ogive/io/write_error.hpp"
 
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace commands {
 
 namespace {
-
-/// Velocities above the limit that show the curve, over the limit.
-constexpr std::array<double, 4> shown_velocities{1.1, 1.25, 1.5, 2.0};
 
 struct LimitOptions {
   double width_mps = 5; ///< of the bracket
@@ -42,11 +35,9 @@ options::Table table_of(shot::Options &o, LimitOptions &l) {
 // clang-format on
 
 std::string with_error(double value, const ogive::ParameterReport<double> &report, const char *form) {
-  char text[64], error[64] = "";
-  std::snprintf(text, sizeof text, form, value);
-  if (report.standard_error) std::snprintf(error, sizeof error, form, *report.standard_error);
-  if (*error != 0) return std::string(text) + " +- " + error;
-  return std::string(text) + (report.origin == ogive::ParameterOrigin::held ? " (held)" : "");
+  const std::string text = options::printed(form, value);
+  if (report.standard_error) return text + " +- " + options::printed(form, *report.standard_error);
+  return text + (report.origin == ogive::ParameterOrigin::held ? " (held)" : "");
 }
 
 void print_fit(const ogive::BallisticFit<double> &fit) {
@@ -95,18 +86,14 @@ void finish(const study::Series &series, const study::Series &tested, const std:
 /// The shots above a limit that show the curve.
 std::vector<study::Case> curve_above(const study::Series &series, double limit) {
   std::vector<study::Case> shots;
-  for (const double times : shown_velocities)
+  for (const double times : {1.1, 1.25, 1.5, 2.0})
     shots.push_back(study::shot_of(series, 5 * std::ceil(limit * times / 5), {}));
   return shots;
 }
 
 } // namespace
 
-options::Table limit_table() {
-  shot::Options o;
-  LimitOptions l;
-  return table_of(o, l);
-}
+options::Table limit_table() { return unbound(table_of); }
 
 int limit(const options::Arguments &arguments) {
   shot::Options defaults;
@@ -122,10 +109,8 @@ int limit(const options::Arguments &arguments) {
                   "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15 --width-mps 2\n",
       .more = exit_statuses,
       .config = true};
-  const auto line = options::read_command_line(command, table, arguments, std::cout);
+  const auto line = options::read_values(command, table, arguments, std::cout);
   if (!line) return options::success;
-  options::Origins origins;
-  for (const options::Given &given : line->given) options::apply(table, origins, given);
 
   shot::Options o = shot::settled(shot::levels_of(*line));
   if (o.out == shot::default_out(o)) {

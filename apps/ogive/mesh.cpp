@@ -15,10 +15,7 @@
 
 namespace commands {
 
-options::Table mesh_table() {
-  shot::Options o;
-  return shot::table_of(o);
-}
+options::Table mesh_table() { return unbound(shot::table_of); }
 
 int mesh(const options::Arguments &arguments) {
   const options::Command command{

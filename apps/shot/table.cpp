@@ -3,7 +3,7 @@
 
 #include "materials/library.hpp"
 #include "materials/material_keys.hpp"
-#include "options/nearest.hpp"
+#include "options/text.hpp"
 
 #include <thread>
 

@@ -53,10 +53,9 @@ void keep(Work &w, const Case &shot, const Row &row) {
     append_row(rows_file(w.study), row, w.study.own_columns);
     w.rows.push_back(row);
   }
-  char text[300];
-  std::snprintf(text, sizeof text, "%.180s: %.1f m/s, %.0f s, energy error %.3f %%", shot.name.c_str(),
-                number(row, "residual_velocity_mps"), number(row, "wall_s"), 100 * number(row, "energy_error"));
-  w.report(text);
+  w.report(options::printed("%.180s: %.1f m/s, %.0f s, energy error %.3f %%", shot.name.c_str(),
+                            number(row, "residual_velocity_mps"), number(row, "wall_s"),
+                            100 * number(row, "energy_error")));
 }
 
 void note_failure(Work &w, const Case &shot, const std::string &reason) {
@@ -133,17 +132,17 @@ void add(Outcome &all, const Outcome &more) {
 
 int cores() { return std::max(1, omp_get_num_procs()); }
 
-std::string folder_name(const Key &key, const std::vector<std::string> &own_columns) {
+std::string folder_name(const Key &key, const Texts &own_columns) {
   const auto &v = key.values;
   std::string name = (v[method_column] == "sfm" ? "" : v[method_column] + "_") + v[model_column] + "_" +
                      fs::path(v[material_column]).stem().string() + "_" + v[nose_column] + "_" + v[thickness_column] +
                      "mm_" + v[velocity_column] + "mps_" + v[spacing_column] + "mm";
-  for (std::size_t k = 0; k < own_columns.size(); ++k) name += "_" + own_columns[k] + "=" + v[key_columns().size() + k];
+  for (std::size_t k = key_columns().size(); k < v.size(); ++k) name += "_" + column_name(k, own_columns) + "=" + v[k];
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
 }
 
-Case case_of(const shot::Options &options, const std::vector<std::string> &own_columns, const std::string &name) {
+Case case_of(const shot::Options &options, const Texts &own_columns, const std::string &name) {
   Case shot{options, name, key_of(options, own_columns)};
   if (name.empty()) shot.name = folder_name(shot.key, own_columns);
   return shot;

@@ -9,10 +9,7 @@
 
 namespace commands {
 
-options::Table calibrate_table() {
-  calibrate::Options o;
-  return calibrate::table_of(o);
-}
+options::Table calibrate_table() { return unbound(calibrate::table_of); }
 
 int calibrate(const options::Arguments &arguments) {
   const auto o = calibrate::parse(arguments, std::cout);
