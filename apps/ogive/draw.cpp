@@ -12,7 +12,6 @@
 #include "ogive/io/read_frame.hpp"
 
 #include <iostream>
-#include <limits>
 
 namespace commands {
 
@@ -30,8 +29,7 @@ constexpr double last_time = std::numeric_limits<double>::infinity();
 
 enum class Colour { plastic_strain, temperature };
 auto choices(Colour) {
-  return std::to_array<options::Choice<Colour>>(
-      {{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}});
+  return options::named<Colour>({{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}});
 }
 
 /// One picture, in the units of the names. What is unset follows from the results that are drawn.

@@ -5,7 +5,6 @@
 #include "options/exit_status.hpp"
 #include "options/text.hpp"
 
-#include <cstdio>
 #include <iostream>
 
 namespace commands {

@@ -6,7 +6,6 @@
 #include "options/exit_status.hpp"
 #include "options/text.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 namespace commands {

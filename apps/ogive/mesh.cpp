@@ -9,9 +9,7 @@
 #include "shot/run.hpp"
 #include "shot/table.hpp"
 
-#include <cstdio>
 #include <iostream>
-#include <string>
 
 namespace commands {
 

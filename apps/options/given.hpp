@@ -6,7 +6,6 @@
 #include "ogive/core/error.hpp"
 
 #include <algorithm>
-#include <array>
 
 /// \file
 /// What a user gives, on the command line or in a file: numbers as text, limits, and one-line errors.
@@ -35,6 +34,11 @@ template <class E> struct Choice {
   E value{};
   std::string_view name{};
 };
+
+/// A list of choices: named<E>({{E::one, "one"}, {E::two, "two"}}).
+template <class E, std::size_t count> constexpr auto named(const Choice<E> (&choices)[count]) {
+  return std::to_array(choices);
+}
 
 /// Name of a choice in a list of all.
 template <class List, class E> std::string name_in(const List &list, E value) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "table.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace options {
 
 namespace {

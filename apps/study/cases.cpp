@@ -4,7 +4,6 @@
 #include "ogive/io/csv_rows.hpp"
 #include "shot/table.hpp"
 
-#include <cmath>
 #include <set>
 
 namespace study {

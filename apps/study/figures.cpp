@@ -8,7 +8,6 @@
 #include "shot/experiment.hpp"
 #include "shot/table.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 namespace study {

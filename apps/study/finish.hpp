@@ -5,7 +5,6 @@
 
 #include "options/folder_lock.hpp"
 
-#include <functional>
 #include <memory>
 
 /// \file

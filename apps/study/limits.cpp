@@ -6,8 +6,6 @@
 #include "shot/experiment.hpp"
 #include "shot/projectile.hpp"
 
-#include <algorithm>
-
 namespace study {
 
 namespace {

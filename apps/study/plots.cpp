@@ -6,9 +6,6 @@
 #include "ogive/io/atomic_file.hpp"
 #include "shot/experiment.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
 
 namespace study {

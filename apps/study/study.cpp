@@ -11,9 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <omp.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <mutex>
 #include <thread>
 
@@ -47,8 +44,8 @@ bool is_known(const Study &study, const Case &shot, const std::vector<Row> &rows
   return find_row(rows, shot.key) != nullptr && has_frames(study, shot);
 }
 
+/// Adds the row unless it is there, and reports it.
 void keep(Work &w, const Case &shot, const Row &row) {
-  const std::lock_guard lock(w.mutex);
   if (find_row(w.rows, shot.key) == nullptr) {
     append_row(rows_file(w.study), row, w.study.own_columns);
     w.rows.push_back(row);
@@ -58,42 +55,34 @@ void keep(Work &w, const Case &shot, const Row &row) {
                             100 * number(row, "energy_error")));
 }
 
-void note_failure(Work &w, const Case &shot, const std::string &reason) {
-  const std::lock_guard lock(w.mutex);
-  w.outcome.failed.push_back(shot.name + ": " + reason);
-  w.report("failed: " + w.outcome.failed.back());
-}
-
-/// The row that an earlier run of this very case left without a line in the file; false if there is none.
-bool keeps_earlier_row(Work &w, const Case &shot) {
+/// The row that an earlier run of this very case left without a line in the file.
+std::optional<Row> earlier_row(const Study &study, const Case &shot) {
   try {
-    if (!has_frames(w.study, shot)) return false;
-    const fs::path folder = folder_of(w.study, shot);
-    keep(w, shot, row_of(shot.key, read_summary(folder), (folder / "summary.json").string()));
-    return true;
+    const fs::path folder = folder_of(study, shot);
+    if (!shot::other_case(shot.options) || !has_frames(study, shot)) return std::nullopt;
+    return row_of(shot.key, read_summary(folder), (folder / "summary.json").string());
   } catch (const ogive::SetupError &) {
-    return false; // no summary, or one of a run that a fault ended
+    return std::nullopt; // no summary, or one of a run that a fault ended
   }
 }
 
-/// Runs one case, or finds that it needs no run.
+/// Runs one case, or finds that it needs no run. Throws where it fails.
 void run_case(Work &w, const Case &shot) {
-  const bool known = [&] {
-    const std::lock_guard lock(w.mutex);
-    return is_known(w.study, shot, w.rows);
-  }();
-  if (const std::string reason = conflict(w.study, shot); !reason.empty()) return note_failure(w, shot, reason);
-  if (known || (shot::other_case(shot.options) && keeps_earlier_row(w, shot))) {
-    const std::lock_guard lock(w.mutex);
-    ++w.outcome.known;
-    return;
+  std::unique_lock lock(w.mutex);
+  const bool known = is_known(w.study, shot, w.rows);
+  lock.unlock();
+  if (const std::string reason = conflict(w.study, shot); !reason.empty()) throw ogive::SetupError(reason);
+  std::optional<Row> row = known ? std::nullopt : earlier_row(w.study, shot);
+  const bool runs = !known && !row;
+  if (runs) {
+    const shot::Outcome outcome = shot::run(shot::resumed(shot.options), shot::Output::none);
+    if (outcome.shot.interrupted_by != 0) return;
+    if (outcome.status != options::success) throw ogive::SetupError(outcome.problem);
+    row = row_of(shot.key, shot::summary_of(shot.options, outcome.shot), shot.name);
   }
-  const shot::Outcome outcome = shot::run(shot::resumed(shot.options), shot::Output::none);
-  if (outcome.shot.interrupted_by != 0) return;
-  if (outcome.status != options::success) return note_failure(w, shot, outcome.problem);
-  keep(w, shot, row_of(shot.key, shot::summary_of(shot.options, outcome.shot), shot.name));
-  const std::lock_guard lock(w.mutex);
-  ++w.outcome.run;
+  lock.lock();
+  if (row) keep(w, shot, *row);
+  ++(runs ? w.outcome.run : w.outcome.known);
 }
 
 /// The next case with its folder, to be run without files that a study has no use for.
@@ -117,7 +106,9 @@ void work(Work &w) {
     try {
       run_case(w, *shot);
     } catch (const std::exception &error) {
-      note_failure(w, *shot, error.what());
+      const std::lock_guard lock(w.mutex);
+      w.outcome.failed.push_back(shot->name + ": " + error.what());
+      w.report("failed: " + w.outcome.failed.back());
     }
   }
 }

@@ -3,8 +3,6 @@
 
 #include "row.hpp"
 
-#include <functional>
-
 /// \file
 /// Runs the shots of a study on threads of this process, several at a time, and keeps a row of each.
 

@@ -4,7 +4,6 @@
 #include "options/out_folder.hpp"
 #include "results.hpp"
 
-#include <cstdio>
 #include <iostream>
 
 namespace commands {
