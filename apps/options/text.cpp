@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <numeric>
+#include <utility>
 
 namespace options {
 

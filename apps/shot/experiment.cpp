@@ -4,6 +4,8 @@
 #include "ogive/io/csv_rows.hpp"
 #include "options/text.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace experiment {
@@ -54,12 +56,13 @@ std::vector<Shot> find_shots(const Specimen &specimen) {
 
 std::optional<Limit> find_limit(const Specimen &specimen) {
   constexpr double projectile_kg = 0.197, steel_kg_per_m3 = 7850, radius_m = 0.01;
-  const double plug_kg = steel_kg_per_m3 * std::numbers::pi * radius_m * radius_m * specimen.thickness_mm * 1e-3;
+  const double plug_kg = specimen.nose == "blunt"
+                             ? steel_kg_per_m3 * std::numbers::pi * radius_m * radius_m * specimen.thickness_mm * 1e-3
+                             : 0;
   for (const auto &row : find_rows("experiment_limits.csv", specimen))
-    if (const auto limit = number_from(row[3]); limit && row.size() > 6) {
-      const double a = specimen.nose == "blunt" ? projectile_kg / (projectile_kg + plug_kg) : 1;
-      return Limit{*limit, number_from(row[4]).value_or(a), number_from(row[5]).value_or(2), row[6]};
-    }
+    if (const auto limit = number_from(row[3]); limit && row.size() > 6)
+      return Limit{*limit, number_from(row[4]).value_or(projectile_kg / (projectile_kg + plug_kg)),
+                   number_from(row[5]).value_or(2), row[6]};
   return std::nullopt;
 }
 

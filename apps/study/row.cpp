@@ -18,6 +18,9 @@ using ogive::SetupError;
 /// The results that are text come last.
 constexpr std::size_t text_results = 2;
 
+/// Results of one plate's shape, from plug_thickness_mm to most_temperature_K: a summary of several plates has none.
+constexpr std::size_t first_of_shape = 3, last_of_shape = 9;
+
 Texts operator+(Texts a, const Texts &b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
@@ -96,18 +99,15 @@ Key key_of(const shot::Options &options, const Texts &own_columns) {
 }
 
 Row row_of(const Key &key, const nlohmann::ordered_json &json, const std::string &name) {
-  // Of several plates a summary has none of these.
-  static const Texts shape = options::split("plug_thickness_mm,dishing_mm,kept_fraction,petal_height_mm,"
-                                            "band_temperature_K,core_temperature_K,most_temperature_K",
-                                            ',');
   Row row{key, {}};
   try {
     if (!json.at("fault").is_null())
       throw SetupError(name + ": the run stopped: " + ogive::printable(json["fault"].at("what").get<std::string>()));
     for (const std::string &column : result_columns()) {
-      const bool left_out = !json.contains(column) && std::find(shape.begin(), shape.end(), column) != shape.end();
+      const std::size_t k = row.results.size();
+      const bool left_out = k >= first_of_shape && k <= last_of_shape && !json.contains(column);
       const auto value = left_out ? nlohmann::ordered_json(0.0) : json.at(column);
-      const bool is_text = row.results.size() + text_results >= result_columns().size();
+      const bool is_text = k + text_results >= result_columns().size();
       row.results.push_back(is_text              ? value.get<std::string>()
                             : value.is_boolean() ? (value.get<bool>() ? "1" : "0")
                                                  : ogive::shortest(value.get<double>()));
