@@ -47,21 +47,18 @@ void print_fit(const ogive::BallisticFit<double> &fit) {
               fit.points, fit.rms);
 }
 
-/// The bracket of the limit; nothing for lack of shots.
-std::optional<study::LimitRow> limit_of(const study::Series &series, const std::vector<study::Row> &rows) {
-  const auto limits = study::limits_in({series}, rows);
-  return limits.empty() ? std::nullopt : std::optional(limits.front());
-}
-
 /// Prints the bracket of the limit and returns its middle; nothing if there is no limit.
-std::optional<double> print_bisection(const std::optional<study::LimitRow> &row) {
-  const auto estimate = row ? ogive::limit_estimate(row->bracket) : std::nullopt;
+std::optional<double> print_bisection(const study::Series &series, const std::filesystem::path &out) {
+  const auto limits = study::limits_in({series}, study::read_all_rows(out, {}));
+  if (limits.empty()) return std::nullopt;
+  const auto &bracket = limits.front().bracket;
+  const auto estimate = ogive::limit_estimate(bracket);
   if (estimate)
     std::printf("  %-22s %.1f +- %.1f m/s%s\n", "limit by bisection", estimate->limit, estimate->half_width,
-                row->bracket.consistent ? "" : "; a shot stopped above one that perforated");
-  else if (row)
+                bracket.consistent ? "" : "; a shot stopped above one that perforated");
+  else
     std::printf("  %-22s none: %s\n", "limit by bisection",
-                row->bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
+                bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
   std::fflush(stdout);
   return estimate ? std::optional(estimate->limit) : std::nullopt;
 }
@@ -69,11 +66,11 @@ std::optional<double> print_bisection(const std::optional<study::LimitRow> &row)
 /// Prints the fit, writes OUT/limits.csv and draws; with the tests of `tested`.
 void finish(const study::Series &series, const study::Series &tested, const std::filesystem::path &out) {
   const auto rows = study::read_all_rows(out, {});
-  const auto row = limit_of(series, rows);
-  if (!row) return;
-  if (row->fit) print_fit(*row->fit);
+  const auto limits = study::limits_in({series}, rows);
+  if (limits.empty()) return;
+  if (limits.front().fit) print_fit(*limits.front().fit);
   if (const auto test = tested.published.test_limit_mps) std::printf("  %-22s %.1f m/s\n", "limit of the tests", *test);
-  ogive::write_atomically(out / "limits.csv", study::limits_csv({*row}, {}));
+  ogive::write_atomically(out / "limits.csv", study::limits_csv(limits, {}));
   try {
     study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {tested}, rows, {}, out, true);
     std::printf("  %-22s %s\n", "plot", (out / "limit.svg").c_str());
@@ -130,13 +127,13 @@ int limit(const options::Arguments &arguments) {
     study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
     complete = all.stopped_by == 0 && all.failed.empty();
     if (!complete) return all;
-    if (const auto limit = print_bisection(limit_of(series, study::read_all_rows(o.out, {}))))
+    if (const auto limit = print_bisection(series, o.out))
       add(all, study::run_cases(study, curve_above(series, *limit), report));
     return all;
   };
   return study::run_study("ogive limit", study, l.run, run, [&] {
     if (!complete) return;
-    if (!l.run) print_bisection(limit_of(series, study::read_all_rows(o.out, {})));
+    if (!l.run) print_bisection(series, o.out);
     finish(series, tested, o.out);
   });
 }

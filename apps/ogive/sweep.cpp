@@ -9,6 +9,8 @@
 #include "study/finish.hpp"
 #include "study/plots.hpp"
 
+#include "ogive/io/write_error.hpp"
+
 #include <iostream>
 
 namespace commands {
