@@ -118,22 +118,22 @@ int csv_column(const std::filesystem::path &path, const std::string &name) {
   return static_cast<int>(found - columns.begin()) + 1;
 }
 
-void write_velocity_plot(const VelocityPlot &velocities, const std::filesystem::path &picture) {
-  Plot plot{.title = velocities.title,
-            .x = "time / µs",
-            .y = "projectile velocity / (m/s)",
-            .settings = "set key top right; set yrange [*<0:*]; set offsets graph 0, 0, graph 0.08, graph 0.02"};
-  for (const auto &[history, name] : velocities.curves) {
+void write_velocity_plot(const VelocityPlot &plot, const std::filesystem::path &picture) {
+  Plot drawn{.title = plot.title,
+             .x = "time / µs",
+             .y = "projectile velocity / (m/s)",
+             .settings = "set key top right; set yrange [*<0:*]; set offsets graph 0, 0, graph 0.08, graph 0.02"};
+  for (const auto &[history, name] : plot.curves) {
     const int time = csv_column(history, "time_us"), velocity = csv_column(history, "velocity_m_per_s");
-    plot.curves.push_back({gnuplot_columns(history, options::printed("%d:%d", time, velocity)),
-                           "lines linewidth 3 linecolor " + gnuplot_colour(plot.curves.size()), name});
+    drawn.curves.push_back({gnuplot_columns(history, options::printed("%d:%d", time, velocity)),
+                            "lines linewidth 3 linecolor " + gnuplot_colour(drawn.curves.size()), name});
   }
-  if (velocities.measured_residual_m_per_s) {
-    const std::string value = options::printed("%.10g", *velocities.measured_residual_m_per_s);
-    plot.curves.push_back(
+  if (plot.measured_residual_m_per_s) {
+    const std::string value = options::printed("%.10g", *plot.measured_residual_m_per_s);
+    drawn.curves.push_back(
         {value, "lines linewidth 2 dashtype 2 linecolor '#c0392b'", "measured residual velocity: " + value + " m/s"});
   }
-  draw_with_gnuplot(commands_of(plot), picture);
+  draw_with_gnuplot(commands_of(drawn), picture);
 }
 
 } // namespace draw

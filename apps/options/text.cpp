@@ -67,12 +67,12 @@ std::optional<double> number_from(std::string_view text, int power) {
                      std::to_string(std::clamp(exponent, -100000L, 100000L) + power));
 }
 
-std::optional<std::string> text_in(const std::filesystem::path &name) {
+std::optional<std::string> text_in(const std::filesystem::path &file) {
   std::error_code error;
-  std::ifstream file(name, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(name, error)) return std::nullopt;
-  std::string text(std::filesystem::file_size(name, error), '\0');
-  if (error || !file.read(text.data(), static_cast<std::streamsize>(text.size()))) return std::nullopt;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || !std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  std::string text(std::filesystem::file_size(file, error), '\0');
+  if (error || !in.read(text.data(), static_cast<std::streamsize>(text.size()))) return std::nullopt;
   return text;
 }
 
