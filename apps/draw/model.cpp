@@ -4,9 +4,8 @@
 #include "page.hpp"
 #include "scene.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
+#include "options/text.hpp"
+
 #include <vtkCamera.h>
 #include <vtkProperty.h>
 
@@ -63,8 +62,8 @@ std::string parts_text(const Frame &frame) {
   for (const auto &cloud : frame.clouds) particles += cloud.positions.size();
   for (const auto &grid : frame.grids) (grid.name == "projectile" ? projectile : plate) += grid.hexes.size();
   const char *extent = frame.symmetry.x ? "quarter" : frame.symmetry.y ? "half" : "full";
-  return std::string("(a) ") + extent + " model: " + std::to_string(particles) + " particles, " +
-         std::to_string(plate) + " hexes in the plate, " + std::to_string(projectile) + " in the projectile";
+  return options::printed("(a) %s model: %zu particles, %zu hexes in the plate, %zu in the projectile", extent,
+                          particles, plate, projectile);
 }
 
 } // namespace
@@ -87,13 +86,9 @@ void render_model(const Frame &frame, const std::string &title, const std::files
   const double high = 16, low = depth - 4;
   aim(near, {0, (low + high) / 2, (high - low) / 2});
   add_scene(page, near, {0, label_height, page_width, lower_height});
-  std::string section = "(b) section at the impact point";
-  if (!frame.clouds.empty()) {
-    char text[64];
-    std::snprintf(text, sizeof text, ": particles %.3g mm apart", 1e3 * frame.clouds.front().diameter);
-    section += text;
-  }
-  add_line(section, 0, label_height, font_size);
+  const std::string particles =
+      frame.clouds.empty() ? "" : options::printed(": particles %.3g mm apart", 1e3 * frame.clouds.front().diameter);
+  add_line("(b) section at the impact point" + particles, 0, label_height, font_size);
   add_line(title, page.height - title_height, page.height, font_size + 4);
   write_png(page, path, 52);
 }

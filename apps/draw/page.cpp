@@ -25,6 +25,7 @@
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 #include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -105,12 +106,7 @@ Page white_page(int width, int height) {
   ogive::require(width >= 64 && height >= 64 && width <= 16384 && height <= 16384, "size of the picture",
                  std::to_string(width) + " x " + std::to_string(height), "must be 64 to 16384 pixels each way");
   static std::mutex mutex;
-  Page page{width,
-            height,
-            vtkSmartPointer<vtkRenderer>::New(),
-            vtkSmartPointer<vtkRenderer>::New(),
-            {},
-            std::unique_lock(mutex)};
+  Page page{width, height, vtkNew<vtkRenderer>(), vtkNew<vtkRenderer>(), {}, std::unique_lock(mutex)};
   page.ground->SetBackground(1, 1, 1);
   page.ink->SetLayer(1);
   return page;
@@ -120,16 +116,6 @@ void add_scene(Page &page, vtkSmartPointer<vtkRenderer> scene, const Box &box) {
   const Box at = in_page_units(page, box);
   scene->SetViewport(at.x, at.y, at.x + at.width, at.y + at.height);
   page.scenes.push_back(std::move(scene));
-}
-
-vtkSmartPointer<vtkTextActor> text_actor(const std::string &text, int size) {
-  auto actor = vtkSmartPointer<vtkTextActor>::New();
-  actor->SetInput(text.c_str());
-  actor->GetTextProperty()->SetFontSize(size);
-  actor->GetTextProperty()->SetColor(page_ink[0], page_ink[1], page_ink[2]);
-  actor->GetTextProperty()->SetJustificationToCentered();
-  actor->GetTextProperty()->SetVerticalJustificationToCentered();
-  return actor;
 }
 
 double text_width(const std::string &text, int size) {
@@ -148,7 +134,12 @@ int fitting_size(const std::string &text, int size, double width) {
 }
 
 void add_text(Page &page, const std::string &text, const Box &box, int size) {
-  const auto actor = text_actor(text, fitting_size(text, size, box.width));
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->GetTextProperty()->SetFontSize(fitting_size(text, size, box.width));
+  actor->GetTextProperty()->SetColor(page_ink[0], page_ink[1], page_ink[2]);
+  actor->GetTextProperty()->SetJustificationToCentered();
+  actor->GetTextProperty()->SetVerticalJustificationToCentered();
   const Box at = in_page_units(page, box);
   actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedDisplay();
   actor->SetPosition(at.x + at.width / 2, at.y + at.height / 2);
@@ -176,11 +167,9 @@ void add_bar(Page &page, const Box &box) {
   page.ink->AddActor2D(actor);
 }
 
-void add_colour_bar(Page &page, vtkColorTransferFunction *colours, const std::string &title, int font_size,
-                    const Box &box) {
+void add_colour_bar(Page &page, vtkColorTransferFunction *colours, int font_size, const Box &box) {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colours);
-  bar->SetTitle(title.c_str());
   bar->SetNumberOfLabels(6);
   bar->SetMaximumNumberOfColors(256);
   bar->SetLabelFormat(" %.3g");

@@ -9,7 +9,6 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <vtkTextActor.h>
 
 /// \file
 /// A page with scenes of VTK, text, bars and colours with their values, and its PNG. No display is needed.
@@ -44,9 +43,6 @@ Page white_page(int width, int height);
 /// Puts a scene into a box of the page.
 void add_scene(Page &page, vtkSmartPointer<vtkRenderer> scene, const Box &box);
 
-/// A line of text that is centred at its position, which the caller sets.
-vtkSmartPointer<vtkTextActor> text_actor(const std::string &text, int size);
-
 /// Width of a line of text, pixels.
 double text_width(const std::string &text, int size);
 
@@ -59,9 +55,8 @@ void add_text(Page &page, const std::string &text, const Box &box, int size);
 /// Fills a box with ink.
 void add_bar(Page &page, const Box &box);
 
-/// Draws the colours with their values in a box, the title above them.
-void add_colour_bar(Page &page, vtkColorTransferFunction *colours, const std::string &title, int font_size,
-                    const Box &box);
+/// Draws the colours with their values in a box.
+void add_colour_bar(Page &page, vtkColorTransferFunction *colours, int font_size, const Box &box);
 
 /// Draws the page and writes it as a PNG. With fewer than 256 `levels` of red, green and blue each the shading of many
 /// small balls takes half the bytes or less; white stays white. Throws ogive::WriteError if OpenGL is not there or the

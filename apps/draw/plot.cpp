@@ -3,18 +3,13 @@
 
 #include "ogive/core/error.hpp"
 #include "ogive/io/atomic_file.hpp"
-#include "ogive/io/text.hpp"
+#include "options/text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <cerrno>
-#include <cstdio>
 #include <fcntl.h>
 #include <fstream>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace draw {
@@ -44,13 +39,12 @@ int run_gnuplot(std::vector<std::string> arguments) {
 
 /// Settings that all plots share: white ground, CSV files, quiet axes.
 std::string style(bool png, PictureSize size) {
-  const std::string pixels = " size " + std::to_string(size.width) + "," + std::to_string(size.height);
+  const std::string pixels = options::printed(" size %d,%d", size.width, size.height);
   return "set encoding utf8; set terminal " +
-         (png ? "pngcairo" + pixels + " noenhanced font 'sans,12' linewidth 1.2"
-              : "svg" + pixels + " noenhanced font 'Helvetica,Arial,sans-serif,18' linewidth 1.2") +
-         " background 'white'; "
-         "set datafile separator ','; set border 3 linecolor '#404040'; set tics nomirror out; "
-         "set grid linecolor '#d8d8d8' linewidth 0.7 dashtype 1; ";
+         (png ? "pngcairo" + pixels + " noenhanced font 'sans,12'"
+              : "svg" + pixels + " noenhanced font 'Helvetica,Arial,sans-serif,18'") +
+         " linewidth 1.2 background 'white'; set datafile separator ','; set border 3 linecolor '#404040'; "
+         "set tics nomirror out; set grid linecolor '#d8d8d8' linewidth 0.7 dashtype 1; ";
 }
 
 } // namespace
@@ -68,13 +62,7 @@ std::string gnuplot_quoted(const std::string &text) {
     // It takes a digit behind three octal ones for a fourth.
     escaped = !(byte >= 0x80 || (std::isdigit(byte) && !escaped) || std::isalpha(byte) || c == ' ' || c == '/' ||
                 c == '.' || c == '_' || c == '-');
-    if (!escaped)
-      quoted += c;
-    else {
-      std::array<char, 8> octal{};
-      std::snprintf(octal.data(), octal.size(), "\\%03o", static_cast<unsigned>(byte));
-      quoted += octal.data();
-    }
+    quoted += escaped ? options::printed("\\%03o", static_cast<unsigned>(byte)) : std::string(1, c);
   }
   return quoted + "\"";
 }
@@ -104,41 +92,48 @@ void draw_with_gnuplot(const std::string &commands, const std::filesystem::path 
                            drawn ? error.message() : "gnuplot fails with exit status " + std::to_string(status));
 }
 
+std::string gnuplot_columns(const std::filesystem::path &file, const std::string &columns) {
+  return gnuplot_file(file) + " every ::1 using " + columns;
+}
+
+std::string commands_of(const Plot &plot) {
+  std::string commands = "set xlabel " + gnuplot_quoted(plot.x) + "; set ylabel " + gnuplot_quoted(plot.y) + "; " +
+                         (plot.title.empty() ? "" : "set title " + gnuplot_quoted(plot.title) + "; ") +
+                         (plot.settings.empty() ? "" : plot.settings + "; ") + "plot ";
+  for (const Curve &curve : plot.curves)
+    commands += (&curve == &plot.curves.front() ? "" : ", ") + curve.points + " with " + curve.look +
+                (curve.title.empty() ? " notitle" : " title " + gnuplot_quoted(curve.title));
+  return commands;
+}
+
 int csv_column(const std::filesystem::path &path, const std::string &name) {
   std::ifstream file(path);
   std::string header;
   ogive::require(static_cast<bool>(std::getline(file, header)), "history", path.string(),
                  "must be a CSV file with a header");
-  int column = 1;
-  for (std::size_t begin = 0; begin <= header.size(); ++column) {
-    const auto end = std::min(header.find(',', begin), header.size());
-    if (header.compare(begin, end - begin, name) == 0) return column;
-    begin = end + 1;
-  }
-  throw ogive::SetupError(path.string() + " column = " + name + ": must be one of " + header);
+  const auto columns = options::split(header, ',');
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end())
+    throw ogive::SetupError(path.string() + " column = " + name + ": must be one of " + header);
+  return static_cast<int>(found - columns.begin()) + 1;
 }
 
 void write_velocity_plot(const VelocityPlot &plot, const std::filesystem::path &picture) {
-  std::string script = "set xlabel 'time / µs'; set ylabel 'projectile velocity / (m/s)'; set key top right; "
-                       "set yrange [*<0:*]; set offsets graph 0, 0, graph 0.08, graph 0.02; ";
-  if (!plot.title.empty()) script += "set title " + gnuplot_quoted(plot.title) + "; ";
-  script += "plot ";
-  for (std::size_t k = 0; k < plot.curves.size(); ++k) {
-    const auto &[history, name] = plot.curves[k];
+  Plot drawn{.title = plot.title,
+             .x = "time / µs",
+             .y = "projectile velocity / (m/s)",
+             .settings = "set key top right; set yrange [*<0:*]; set offsets graph 0, 0, graph 0.08, graph 0.02"};
+  for (const auto &[history, name] : plot.curves) {
     const int time = csv_column(history, "time_us"), velocity = csv_column(history, "velocity_m_per_s");
-    script += (k == 0 ? "" : ", ") + gnuplot_file(history) + " every ::1 using " + std::to_string(time) + ":" +
-              std::to_string(velocity) + " with lines linewidth 3 linecolor " + gnuplot_colour(k) + " title " +
-              gnuplot_quoted(name);
+    drawn.curves.push_back({gnuplot_columns(history, options::printed("%d:%d", time, velocity)),
+                            "lines linewidth 3 linecolor " + gnuplot_colour(drawn.curves.size()), name});
   }
   if (plot.measured_residual_m_per_s) {
-    std::array<char, 32> value{};
-    std::snprintf(value.data(), value.size(), "%.10g", *plot.measured_residual_m_per_s);
-    script +=
-        std::string(", ") + value.data() +
-        " with lines linewidth 2 dashtype 2 linecolor '#c0392b' title 'measured residual velocity: " + value.data() +
-        " m/s'";
+    const std::string value = options::printed("%.10g", *plot.measured_residual_m_per_s);
+    drawn.curves.push_back(
+        {value, "lines linewidth 2 dashtype 2 linecolor '#c0392b'", "measured residual velocity: " + value + " m/s"});
   }
-  draw_with_gnuplot(script, picture);
+  draw_with_gnuplot(commands_of(drawn), picture);
 }
 
 } // namespace draw

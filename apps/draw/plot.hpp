@@ -24,10 +24,30 @@ std::string gnuplot_file(const std::filesystem::path &file);
 /// A colour of gnuplot's for the curve number `k`: eight that differ for all readers (Okabe & Ito 2008), then again.
 std::string gnuplot_colour(std::size_t k);
 
-/// Width and height of a picture in pixels.
+/// Columns of a CSV file with a header, as a curve's points: "1:2".
+std::string gnuplot_columns(const std::filesystem::path &file, const std::string &columns);
+
+/// One curve of a plot, as gnuplot's plot command takes it.
+struct Curve {
+  std::string points;  ///< columns of a file, or a formula of x
+  std::string look;    ///< "lines linewidth 3"
+  std::string title{}; ///< in the legend; none if empty
+};
+
+/// Curves with axes.
+struct Plot {
+  std::string title{}; ///< none if empty
+  std::string x{}, y{};
+  std::string settings{}; ///< commands of gnuplot
+  std::vector<Curve> curves{};
+};
+
+/// The commands that draw a plot.
+std::string commands_of(const Plot &plot);
+
+/// Pixels of a picture.
 struct PictureSize {
-  int width = 900;  ///< pixels
-  int height = 600; ///< pixels
+  int width = 900, height = 600;
 };
 
 /// Runs `commands` (one line for gnuplot: settings and a plot) and writes `picture`, in place of an old one: a PNG

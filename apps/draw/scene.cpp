@@ -38,12 +38,18 @@ const ogive::Field &colour_field(const std::vector<ogive::Field> &fields, const 
   return field;
 }
 
-/// Sets what the surfaces of a section share: mostly ambient light, so that colours can be read off, some shading.
-void set_matt(vtkProperty *property, double ambient) {
-  property->SetAmbient(ambient);
-  property->SetDiffuse(1 - ambient);
-  property->SetSpecular(0);
-  property->SetColor(0.47, 0.50, 0.54);
+/// An actor in the colours of its values, or grey: mostly ambient light, so that colours can be read off, some shading.
+vtkSmartPointer<vtkActor> matt_actor(vtkMapper *mapper, vtkColorTransferFunction *colours, bool grey, double ambient) {
+  mapper->SetLookupTable(colours);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->SetScalarVisibility(!grey);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(ambient);
+  actor->GetProperty()->SetDiffuse(1 - ambient);
+  actor->GetProperty()->SetSpecular(0);
+  actor->GetProperty()->SetColor(0.47, 0.50, 0.54);
+  return actor;
 }
 
 } // namespace
@@ -86,13 +92,7 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::PointCloud &cloud, ogive::S
   vtkNew<vtkOpenGLSphereMapper> mapper;
   mapper->SetInputData(points);
   mapper->SetRadius(static_cast<float>(style.particle_radius) * 1e3F * cloud.diameter);
-  mapper->SetLookupTable(colours);
-  mapper->UseLookupTableScalarRangeOn();
-  mapper->SetScalarVisibility(!grey);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  set_matt(actor->GetProperty(), style.particle_ambient);
-  return actor;
+  return matt_actor(mapper, colours, grey, style.particle_ambient);
 }
 
 vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::SymmetryPlanes planes,
@@ -122,12 +122,7 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::Symm
   mapper->SetInputConnection(planes.x ? mirror->GetOutputPort() : surface->GetOutputPort());
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectColorArray(style.field.c_str());
-  mapper->SetLookupTable(colours);
-  mapper->UseLookupTableScalarRangeOn();
-  mapper->SetScalarVisibility(!grey);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  set_matt(actor->GetProperty(), 0.55);
+  auto actor = matt_actor(mapper, colours, grey, 0.55);
   actor->GetProperty()->SetInterpolationToFlat();
   actor->GetProperty()->SetEdgeVisibility(style.mesh_edges);
   actor->GetProperty()->SetEdgeColor(0.36, 0.39, 0.43);

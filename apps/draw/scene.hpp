@@ -32,13 +32,10 @@ struct SectionStyle {
 /// unless the largest value is above the smallest.
 vtkSmartPointer<vtkColorTransferFunction> section_colours(const SectionStyle &style);
 
-/// The particles of the half y >= 0 as spheres, mirrored at x = 0 where that is a symmetry plane. Throws
-/// ogive::SetupError if they lack the field of the style, or it is not one number for each.
+/// The particles of the half y >= 0 as spheres, the hexes as a closed surface, mirrored at x = 0 where that is a
+/// symmetry plane. Throws ogive::SetupError if they lack the field of the style, or it is not one number for each.
 vtkSmartPointer<vtkActor> section_actor(const ogive::PointCloud &cloud, ogive::SymmetryPlanes planes,
                                         const SectionStyle &style, vtkColorTransferFunction *colours);
-
-/// The hexes of the half y >= 0 as a closed surface, mirrored at x = 0 where that is a symmetry plane. Throws
-/// ogive::SetupError if they lack the field of the style, or it is not one number for each.
 vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::SymmetryPlanes planes,
                                         const SectionStyle &style, vtkColorTransferFunction *colours);
 

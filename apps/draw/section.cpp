@@ -2,11 +2,9 @@
 #include "section.hpp"
 
 #include "ogive/core/error.hpp"
+#include "options/text.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
 
 namespace draw {
 
@@ -75,14 +73,13 @@ void render_panel(const std::vector<PanelCell> &cells, const std::filesystem::pa
   const Box &bar = layout.bar, &scale = layout.scale;
   add_text(page, panel.bar_title, narrowed({bar.x, bar.y + bar.height - 1.4 * font, bar.width, 1.4 * font}, 0.9),
            font_size);
-  add_colour_bar(page, colours, "", font_size, {bar.x + 1.6 * font, bar.y, 5.3 * font, bar.height - 2 * font});
+  add_colour_bar(page, colours, font_size, {bar.x + 1.6 * font, bar.y, 5.3 * font, bar.height - 2 * font});
   double scale_mm = panel.scale_bar_mm;
   while (scale_mm * layout.pixels_per_mm > scale.width - font) scale_mm /= 2;
   const double length = scale_mm * layout.pixels_per_mm, thickness = std::max(2.0, font / 6);
   add_bar(page, {scale.x + (scale.width - length) / 2, scale.y + thickness / 2, length, thickness});
-  char text[32];
-  std::snprintf(text, sizeof text, "%g mm", scale_mm);
-  add_text(page, text, {scale.x, scale.y + 0.6 * font, scale.width, 1.4 * font}, font_size);
+  add_text(page, options::printed("%g mm", scale_mm), {scale.x, scale.y + 0.6 * font, scale.width, 1.4 * font},
+           font_size);
 
   const SectionView view{0, (panel.low_mm + panel.high_mm) / 2, layout.cells.front().height / layout.pixels_per_mm / 2};
   for (std::size_t k = 0; k < cells.size(); ++k)

@@ -4,10 +4,6 @@
 #include "page.hpp"
 #include "scene.hpp"
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 /// \file
 /// Sections through plate and projectile as PNG: one with its colours beside it, or several on one page, all at the
 /// same scale and with the same colours.

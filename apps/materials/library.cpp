@@ -13,19 +13,16 @@ using options::broken;
 namespace library = ogive::library;
 
 AnyMetal weldox_460e(Model model) {
-  if (model == Model::jc) return library::weldox_460e_jc<double>();
-  return library::weldox_460e_mjc<double>();
+  return model == Model::jc ? AnyMetal(library::weldox_460e_jc<double>()) : library::weldox_460e_mjc<double>();
 }
 
 AnyMetal aa5083_h116(Model model) {
-  if (model == Model::jc) return library::aa5083_h116_jc<double>();
-  return library::aa5083_h116_mjc<double>();
+  return model == Model::jc ? AnyMetal(library::aa5083_h116_jc<double>()) : library::aa5083_h116_mjc<double>();
 }
 
 /// The classical law has no constants of its own for the weaker plate.
 AnyMetal aa5083_h116_25mm(Model model) {
-  if (model == Model::jc) return aa5083_h116(model);
-  return library::aa5083_h116_mjc<double>(0.85);
+  return model == Model::jc ? aa5083_h116(model) : library::aa5083_h116_mjc<double>(0.85);
 }
 
 constexpr auto metals = std::to_array<LibraryMetal>({{"weldox_460e", "Weldox 460 E", 0.08, weldox_460e},
@@ -41,13 +38,13 @@ AnyMetal made(const LibraryMetal &entry, Model model) {
 
 /// The constants of a group, or of all but damage.
 template <class M> std::string constants(const M &metal, std::initializer_list<Group> groups) {
-  std::string text;
+  std::vector<std::string> texts;
   for_each_key(metal, [&]<class V>(const Key &key, const V &value) {
     if (std::find(groups.begin(), groups.end(), key.group) == groups.end() || !has(metal, key.group)) return;
     if constexpr (!std::is_same_v<V, std::string> && !std::is_same_v<V, Model>)
-      text += (text.empty() ? "" : ", ") + std::string(key.name) + "=" + text_of(key, value);
+      texts.push_back(std::string(key.name) + "=" + text_of(key, value));
   });
-  return text;
+  return options::joined(texts);
 }
 
 template <class M> std::string described(const M &metal, const std::string &title) {

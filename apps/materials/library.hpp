@@ -3,8 +3,6 @@
 
 #include "material_file.hpp"
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 /// \file

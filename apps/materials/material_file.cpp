@@ -5,7 +5,6 @@
 #include "options/toml_file.hpp"
 
 #include <unordered_set>
-#include <vector>
 
 namespace materials {
 
@@ -50,28 +49,25 @@ template <class M> Misfits find_misfits(const M &metal, const std::vector<Given>
 }
 
 /// What two lists have in common, in the order of the first.
-std::vector<std::string> common(const std::vector<std::string> &a, const std::vector<std::string> &b) {
+std::vector<std::string> common(std::vector<std::string> a, const std::vector<std::string> &b) {
   const std::unordered_set<std::string> in_b(b.begin(), b.end());
-  std::vector<std::string> both;
-  for (const std::string &name : a)
-    if (in_b.contains(name)) both.push_back(name);
-  return both;
-}
-
-std::string joined(const std::vector<std::string> &names) {
-  constexpr std::size_t most = 40;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i == 0 ? "" : ", ") + printable(names[i]);
-  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
+  std::erase_if(a, [&](const std::string &name) { return !in_b.contains(name); });
+  return a;
 }
 
 /// "lacks a, b and does not know n, m"
 std::string text_of(const Misfits &misfits) {
-  std::string text;
-  if (!misfits.missing.empty()) text += "lacks " + joined(misfits.missing);
-  if (!misfits.superfluous.empty())
-    text += (text.empty() ? "" : " and ") + std::string("does not know ") + joined(misfits.superfluous);
-  return text;
+  const auto listed = [](const std::string &before, std::vector<std::string> names) {
+    const std::size_t count = names.size(), most = 40;
+    names.resize(std::min(count, most));
+    for (std::string &name : names) name = printable(name);
+    return count == 0 ? ""
+                      : before + options::joined(names) +
+                            (count > most ? " and " + std::to_string(count - most) + " more" : "");
+  };
+  std::vector<std::string> parts{listed("lacks ", misfits.missing), listed("does not know ", misfits.superfluous)};
+  std::erase(parts, "");
+  return options::joined(parts, " and ");
 }
 
 /// "its keys are ...; optional are ..., with + between those that belong together"

@@ -30,10 +30,10 @@ struct Key {
   bool required = true; ///< if its group is there
 };
 
-inline constexpr auto rate_factors = std::to_array<options::Choice<ogive::RateFactor>>(
+inline constexpr auto rate_factors = options::named<ogive::RateFactor>(
     {{ogive::RateFactor::logarithmic, "logarithmic"}, {ogive::RateFactor::power, "power"}});
 
-inline constexpr auto models = std::to_array<options::Choice<Model>>({{Model::mjc, "mjc"}, {Model::jc, "jc"}});
+inline constexpr auto models = options::named<Model>({{Model::mjc, "mjc"}, {Model::jc, "jc"}});
 
 constexpr auto choices(Model) { return models; }
 
@@ -92,13 +92,8 @@ template <class M, class F> void for_each_key(M &&m, F &&f) {
   f(Key{"D4", "exponent of the rate", {-10, 10}, 0, strain}, failure.D4);
   f(Key{"D5", "of the homologous temperature", {-100, 100}, 0, strain}, failure.D5);
   f(Key{"damage_reference_rate_per_s", "of D4", {1e-12, 1e9, "1/s"}, 0, strain, false}, failure.reference_rate);
-  f(Key{"shear_length_mm",
-        "particle distance for which damage holds in bands of shear; 0: any",
-        {0, 100, "mm"},
-        -3,
-        strain,
-        false},
-    m.damage.shear_length);
+  constexpr char shear[] = "particle distance for which damage holds in bands of shear; 0: any";
+  f(Key{"shear_length_mm", shear, {0, 100, "mm"}, -3, strain, false}, m.damage.shear_length);
   f(Key{"critical_work_MPa", "Cockcroft-Latham", {0.001, 1e6, "MPa"}, 6, work}, m.damage.critical_work);
 }
 
@@ -117,11 +112,11 @@ inline bool has(const AnyMetal &any, Group group) {
 
 /// The keys that a group must have, separated by commas.
 inline std::string keys_of(Group group) {
-  std::string keys;
+  std::vector<std::string> keys;
   for_each_key(std::variant_alternative_t<0, AnyMetal>{}, [&](const Key &key, const auto &) {
-    if (key.group == group && key.required) keys += (keys.empty() ? "" : ", ") + std::string(key.name);
+    if (key.group == group && key.required) keys.emplace_back(key.name);
   });
-  return keys;
+  return options::joined(keys);
 }
 
 /// The value of a constant as a file has it.

@@ -4,8 +4,7 @@
 #include "options/command_line.hpp"
 #include "shot/options.hpp"
 
-#include <optional>
-#include <vector>
+#include <tuple>
 
 /// \file
 /// The subcommands of ogive. Each returns its exit status and throws SetupError for wrong input, before anything is run
@@ -25,6 +24,9 @@ struct Subcommand {
 /// All subcommands in the order of the help.
 const std::vector<Subcommand> &subcommands();
 
+/// A script with which bash completes subcommands, their options and the names that an option may have.
+std::string bash_completion();
+
 int shoot(const options::Arguments &arguments);
 int limit(const options::Arguments &arguments);
 int sweep(const options::Arguments &arguments);
@@ -33,7 +35,12 @@ int materials(const options::Arguments &arguments);
 int draw(const options::Arguments &arguments);
 int calibrate(const options::Arguments &arguments);
 
-/// The options of the subcommands by their names alone: there are no values behind them.
+/// A table by its names alone: there are no values behind it.
+template <class... Values> options::Table unbound(options::Table (*table_of)(Values &...)) {
+  std::tuple<Values...> values;
+  return std::apply(table_of, values);
+}
+
 options::Table shoot_table();
 options::Table limit_table();
 options::Table sweep_table();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "completion.hpp"
+#include "commands.hpp"
 
 namespace commands {
 
-std::string bash_completion(const std::vector<Subcommand> &subcommands) {
+std::string bash_completion() {
   std::string names, cases;
-  for (const Subcommand &one : subcommands) {
+  for (const Subcommand &one : subcommands()) {
     names += (names.empty() ? "" : " ") + std::string(one.name);
     std::string flags = std::string("--help --help-all --version") + (one.config ? " --config" : ""), values;
     const options::Table table = one.table();
@@ -14,9 +14,7 @@ std::string bash_completion(const std::vector<Subcommand> &subcommands) {
       flags += " " + flag;
       if (option.values == options::Values::none) flags += " " + options::no_flag_of(option.key);
       if (option.names.empty()) continue;
-      std::string choices;
-      for (const std::string &name : option.names) choices += (choices.empty() ? "" : " ") + name;
-      values += "      " + flag + ") words='" + choices + "' ;;\n";
+      values += "      " + flag + ") words='" + options::joined(option.names, " ") + "' ;;\n";
     }
     cases += "  " + std::string(one.name) + ")\n    words='" + flags + "'\n";
     if (!values.empty()) cases += "    case $before in\n" + values + "    esac\n";

@@ -6,17 +6,12 @@
 #include "draw/projectiles.hpp"
 #include "draw/section.hpp"
 #include "options/exit_status.hpp"
+#include "shot/table.hpp"
 
 #include "ogive/fem/hex8.hpp"
 #include "ogive/io/read_frame.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
 #include <iostream>
-#include <limits>
 
 namespace commands {
 
@@ -34,12 +29,8 @@ constexpr double last_time = std::numeric_limits<double>::infinity();
 
 enum class Colour { plastic_strain, temperature };
 auto choices(Colour) {
-  return std::to_array<options::Choice<Colour>>(
-      {{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}});
+  return options::named<Colour>({{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}});
 }
-
-constexpr auto extents = std::to_array<options::Choice<ogive::Extent>>(
-    {{ogive::Extent::quarter, "quarter"}, {ogive::Extent::half, "half"}, {ogive::Extent::full, "full"}});
 
 /// One picture, in the units of the names. What is unset follows from the results that are drawn.
 struct Options {
@@ -64,10 +55,6 @@ struct Options {
   fs::path out;
 };
 
-/// The pictures, as groups of the table: the key of the option that chooses each.
-constexpr std::array<std::array<const char *, 2>, 4> figures{
-    {{"Sections", "series"}, {"Velocity", "velocity"}, {"Projectiles", "projectiles"}, {"Mesh", "mesh"}}};
-
 /// An option of `count` numbers with commas between them; `is_valid` is what they must fulfil together.
 template <std::size_t count, class Valid>
 void add_numbers(Table &table, std::optional<std::array<double, count>> &value, const char *placeholder,
@@ -85,7 +72,7 @@ void add_numbers(Table &table, std::optional<std::array<double, count>> &value, 
 // clang-format off
 Table table_of(Options &o) {
   Table table;
-  table.group = figures[0][0];
+  table.group = "Sections";
   add(table, o.series, {.key = "series", .meaning = "results of ogive shoot; all times of the first, then of the next",
       .brief = "draw sections of results", .allowed = "folders with a .pvd file, or .pvd files"})
       .placeholder = "FOLDER|FILE.pvd...";
@@ -112,7 +99,7 @@ Table table_of(Options &o) {
       [](const auto &v) { return v[1] - v[0] >= 1 && v[2] >= 1; });
   add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "thin lines between the hexes"});
 
-  table.group = figures[1][0];
+  table.group = "Velocity";
   add(table, o.velocity, {.key = "velocity",
       .meaning = "results of ogive shoot: the projectile's velocity against time, all in one plot",
       .brief = "plot velocity against time", .allowed = "folders with a history.csv, or such files"})
@@ -120,11 +107,11 @@ Table table_of(Options &o) {
   add(table, o.measured_mps, {.key = "measured_mps", .meaning = "residual velocity of a test, as a line",
       .limits = {0, 1e5, "m/s"}});
 
-  table.group = figures[2][0];
+  table.group = "Projectiles";
   add(table, o.projectiles, {.key = "projectiles", .meaning = "draw the paper's projectiles with their dimensions",
       .brief = "draw the paper's projectiles with their dimensions"});
 
-  table.group = figures[3][0];
+  table.group = "Mesh";
   add(table, o.mesh, {.key = "mesh", .meaning = "results of ogive mesh or shoot: the model before the shot",
       .brief = "draw the model before the shot", .allowed = "a folder with a .pvd file, or a .pvd file"})
       .placeholder = "FOLDER|FILE.pvd";
@@ -133,7 +120,7 @@ Table table_of(Options &o) {
   const Entry extent{.key = "extent", .meaning = "of results whose files do not hold it: quarter, half or full",
       .allowed = "one of quarter, half, full"};
   add_option(table, extent, options::Kind::choice, "NAME").assign = [&o](const Given &given) {
-    o.extent = choice_given(given, extents);
+    o.extent = choice_given(given, choices(ogive::Extent{}));
   };
   add(table, o.label, {.key = "label", .meaning = "below the sections or of the curves, one for each",
       .source = "(a) time and velocity, or the folder: where there are several",
@@ -144,23 +131,6 @@ Table table_of(Options &o) {
   return table;
 }
 // clang-format on
-
-/// The picture that is meant, as an index of `figures`; refuses options of others.
-std::size_t figure_of(const Table &table, const Options &o, const options::CommandLine &line) {
-  const std::array chosen{!o.series.empty(), !o.velocity.empty(), o.projectiles, !o.mesh.empty()};
-  const auto count = std::count(chosen.begin(), chosen.end(), true);
-  if (count != 1)
-    throw ogive::SetupError("--series, --velocity, --projectiles, --mesh: " +
-                            std::string(count == 0 ? "one is required" : "only one may be given") +
-                            ": each draws another picture");
-  const auto figure = static_cast<std::size_t>(std::find(chosen.begin(), chosen.end(), true) - chosen.begin());
-  for (const Given &given : line.given)
-    for (const auto &[group, key] : figures)
-      if (find(table, given.key)->group == group && group != figures[figure][0])
-        throw ogive::SetupError(given.where + ": belongs to " + options::flag_of(key) + ", not to " +
-                                options::flag_of(figures[figure][1]));
-  return figure;
-}
 
 void check(const Options &o) {
   const bool plot = !o.velocity.empty() || o.projectiles;
@@ -226,10 +196,10 @@ std::optional<double> projectile_velocity(const Frame &frame) {
   for (std::size_t e = 0; e < grid->hexes.size(); ++e) {
     ogive::Corners<double> corners;
     double mean = 0;
-    for (int c = 0; c < 8; ++c) {
-      const auto n = static_cast<std::size_t>(grid->hexes[e][static_cast<std::size_t>(c)]);
-      corners.row(c) = grid->positions[n].cast<double>();
-      mean -= velocity->values[3 * n + 2] / 8.0;
+    int c = 0;
+    for (const auto n : grid->hexes[e]) {
+      corners.row(c++) = grid->positions[static_cast<std::size_t>(n)].cast<double>();
+      mean -= velocity->values[3 * static_cast<std::size_t>(n) + 2] / 8.0;
     }
     const double m = density->values[e] * ogive::hex_volume(corners);
     mass += m;
@@ -240,12 +210,10 @@ std::optional<double> projectile_velocity(const Frame &frame) {
 
 /// "(a) 40 µs, 151 m/s".
 std::string time_label(std::size_t number, const Frame &frame) {
-  char text[80], speed[40] = "";
-  // A rebound is no "-0".
-  if (const auto velocity = projectile_velocity(frame))
-    std::snprintf(speed, sizeof speed, ", %.0f m/s", std::round(*velocity) + 0.0);
-  std::snprintf(text, sizeof text, "(%c) %.0f µs%s", char('a' + number % 26), frame.time * 1e6, speed);
-  return text;
+  const auto velocity = projectile_velocity(frame);
+  return options::printed("(%c) %.0f µs", static_cast<int>('a' + number % 26), frame.time * 1e6) +
+         // A rebound is no "-0".
+         (velocity ? options::printed(", %.0f m/s", std::round(*velocity) + 0.0) : "");
 }
 
 /// The z below which the share `below` of the positions within a radius of the axis lies, mm; 0 if there are none.
@@ -318,11 +286,37 @@ void plot_velocities(const Options &o) {
   draw::write_velocity_plot(plot, o.out);
 }
 
-void draw_projectiles(const Options &o) { draw::render_projectiles(o.title, o.out); }
+/// A picture: the group of its options, the option that chooses it, and what draws it.
+struct Figure {
+  std::string group;
+  const char *key;
+  void (*draw)(const Options &o);
+};
+const std::vector<Figure> figures{
+    {"Sections", "series", draw_sections},
+    {"Velocity", "velocity", plot_velocities},
+    {"Projectiles", "projectiles", [](const Options &o) { draw::render_projectiles(o.title, o.out); }},
+    {"Mesh", "mesh", [](const Options &o) {
+       draw::render_model(read_frame(ogive::read_series(find_pvd(o.mesh, "--mesh")), 0, symmetry_of(o)), o.title,
+                          o.out);
+     }}};
 
-void draw_mesh(const Options &o) {
-  draw::render_model(ogive::read_frame(ogive::read_series(find_pvd(o.mesh, "--mesh")), 0, symmetry_of(o)), o.title,
-                     o.out);
+/// The picture that is meant; refuses options of others.
+const Figure &figure_of(const Table &table, const Options &o, const options::CommandLine &line) {
+  const std::array chosen{!o.series.empty(), !o.velocity.empty(), o.projectiles, !o.mesh.empty()};
+  const auto count = std::count(chosen.begin(), chosen.end(), true);
+  if (count != 1)
+    throw ogive::SetupError("--series, --velocity, --projectiles, --mesh: " +
+                            std::string(count == 0 ? "one is required" : "only one may be given") +
+                            ": each draws another picture");
+  const auto &figure =
+      figures[static_cast<std::size_t>(std::find(chosen.begin(), chosen.end(), true) - chosen.begin())];
+  for (const Given &given : line.given)
+    for (const Figure &other : figures)
+      if (find(table, given.key)->group == other.group && &other != &figure)
+        throw ogive::SetupError(given.where + ": belongs to " + options::flag_of(other.key) + ", not to " +
+                                options::flag_of(figure.key));
+  return figure;
 }
 
 const options::Command command{
@@ -338,22 +332,16 @@ const options::Command command{
 
 } // namespace
 
-options::Table draw_table() {
-  Options o;
-  return table_of(o);
-}
+options::Table draw_table() { return unbound(table_of); }
 
 int draw(const options::Arguments &arguments) {
   Options o;
   const Table table = table_of(o);
-  const auto line = read_command_line(command, table, arguments, std::cout);
+  const auto line = read_values(command, table, arguments, std::cout);
   if (!line) return options::success;
-  options::Origins origins;
-  for (const Given &given : line->given) apply(table, origins, given);
-  const std::size_t figure = figure_of(table, o, *line);
+  const Figure &figure = figure_of(table, o, *line);
   check(o);
-  const std::array draw_figure{draw_sections, plot_velocities, draw_projectiles, draw_mesh};
-  draw_figure[figure](o);
+  figure.draw(o);
   return options::success;
 }
 

@@ -9,19 +9,12 @@
 #include "study/plots.hpp"
 
 #include "ogive/io/atomic_file.hpp"
-#include "ogive/io/write_error.hpp"
 
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace commands {
 
 namespace {
-
-/// Velocities above the limit that show the curve, over the limit.
-constexpr std::array<double, 4> shown_velocities{1.1, 1.25, 1.5, 2.0};
 
 struct LimitOptions {
   double width_mps = 5; ///< of the bracket
@@ -42,11 +35,9 @@ options::Table table_of(shot::Options &o, LimitOptions &l) {
 // clang-format on
 
 std::string with_error(double value, const ogive::ParameterReport<double> &report, const char *form) {
-  char text[64], error[64] = "";
-  std::snprintf(text, sizeof text, form, value);
-  if (report.standard_error) std::snprintf(error, sizeof error, form, *report.standard_error);
-  if (*error != 0) return std::string(text) + " +- " + error;
-  return std::string(text) + (report.origin == ogive::ParameterOrigin::held ? " (held)" : "");
+  const std::string text = options::printed(form, value);
+  if (report.standard_error) return text + " +- " + options::printed(form, *report.standard_error);
+  return text + (report.origin == ogive::ParameterOrigin::held ? " (held)" : "");
 }
 
 void print_fit(const ogive::BallisticFit<double> &fit) {
@@ -56,21 +47,18 @@ void print_fit(const ogive::BallisticFit<double> &fit) {
               fit.points, fit.rms);
 }
 
-/// The bracket of the limit; nothing for lack of shots.
-std::optional<study::LimitRow> limit_of(const study::Series &series, const std::vector<study::Row> &rows) {
-  const auto limits = study::limits_in({series}, rows);
-  return limits.empty() ? std::nullopt : std::optional(limits.front());
-}
-
 /// Prints the bracket of the limit and returns its middle; nothing if there is no limit.
-std::optional<double> print_bisection(const std::optional<study::LimitRow> &row) {
-  const auto estimate = row ? ogive::limit_estimate(row->bracket) : std::nullopt;
+std::optional<double> print_bisection(const study::Series &series, const std::filesystem::path &out) {
+  const auto limits = study::limits_in({series}, study::read_all_rows(out, {}));
+  if (limits.empty()) return std::nullopt;
+  const auto &bracket = limits.front().bracket;
+  const auto estimate = ogive::limit_estimate(bracket);
   if (estimate)
     std::printf("  %-22s %.1f +- %.1f m/s%s\n", "limit by bisection", estimate->limit, estimate->half_width,
-                row->bracket.consistent ? "" : "; a shot stopped above one that perforated");
-  else if (row)
+                bracket.consistent ? "" : "; a shot stopped above one that perforated");
+  else
     std::printf("  %-22s none: %s\n", "limit by bisection",
-                row->bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
+                bracket.lowest_perforated ? "all shots perforated" : "all shots were stopped");
   std::fflush(stdout);
   return estimate ? std::optional(estimate->limit) : std::nullopt;
 }
@@ -78,11 +66,11 @@ std::optional<double> print_bisection(const std::optional<study::LimitRow> &row)
 /// Prints the fit, writes OUT/limits.csv and draws; with the tests of `tested`.
 void finish(const study::Series &series, const study::Series &tested, const std::filesystem::path &out) {
   const auto rows = study::read_all_rows(out, {});
-  const auto row = limit_of(series, rows);
-  if (!row) return;
-  if (row->fit) print_fit(*row->fit);
+  const auto limits = study::limits_in({series}, rows);
+  if (limits.empty()) return;
+  if (limits.front().fit) print_fit(*limits.front().fit);
   if (const auto test = tested.published.test_limit_mps) std::printf("  %-22s %.1f m/s\n", "limit of the tests", *test);
-  ogive::write_atomically(out / "limits.csv", study::limits_csv({*row}, {}));
+  ogive::write_atomically(out / "limits.csv", study::limits_csv(limits, {}));
   try {
     study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {tested}, rows, {}, out, true);
     std::printf("  %-22s %s\n", "plot", (out / "limit.svg").c_str());
@@ -95,18 +83,14 @@ void finish(const study::Series &series, const study::Series &tested, const std:
 /// The shots above a limit that show the curve.
 std::vector<study::Case> curve_above(const study::Series &series, double limit) {
   std::vector<study::Case> shots;
-  for (const double times : shown_velocities)
+  for (const double times : {1.1, 1.25, 1.5, 2.0})
     shots.push_back(study::shot_of(series, 5 * std::ceil(limit * times / 5), {}));
   return shots;
 }
 
 } // namespace
 
-options::Table limit_table() {
-  shot::Options o;
-  LimitOptions l;
-  return table_of(o, l);
-}
+options::Table limit_table() { return unbound(table_of); }
 
 int limit(const options::Arguments &arguments) {
   shot::Options defaults;
@@ -122,10 +106,8 @@ int limit(const options::Arguments &arguments) {
                   "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15 --width-mps 2\n",
       .more = exit_statuses,
       .config = true};
-  const auto line = options::read_command_line(command, table, arguments, std::cout);
+  const auto line = options::read_values(command, table, arguments, std::cout);
   if (!line) return options::success;
-  options::Origins origins;
-  for (const options::Given &given : line->given) options::apply(table, origins, given);
 
   shot::Options o = shot::settled(shot::levels_of(*line));
   if (o.out == shot::default_out(o)) {
@@ -146,13 +128,13 @@ int limit(const options::Arguments &arguments) {
     study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
     complete = all.stopped_by == 0 && all.failed.empty();
     if (!complete) return all;
-    if (const auto limit = print_bisection(limit_of(series, study::read_all_rows(o.out, {}))))
+    if (const auto limit = print_bisection(series, o.out))
       add(all, study::run_cases(study, curve_above(series, *limit), report));
     return all;
   };
   return study::run_study("ogive limit", study, l.run, run, [&] {
     if (!complete) return;
-    if (!l.run) print_bisection(limit_of(series, study::read_all_rows(o.out, {})));
+    if (!l.run) print_bisection(series, o.out);
     finish(series, tested, o.out);
   });
 }

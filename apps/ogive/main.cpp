@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands.hpp"
 
-#include "completion.hpp"
 #include "ogive/version.hpp"
 #include "options/exit_status.hpp"
-#include "options/nearest.hpp"
-#include "options/spinning.hpp"
+#include "options/text.hpp"
 
-#include <cstdio>
 #include <iostream>
 
 namespace commands {
@@ -38,27 +35,21 @@ std::string help() {
 }
 
 int run(const options::Arguments &arguments, std::string &name) {
-  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
-    std::cout << help();
-    return options::success;
-  }
-  if (arguments[0] == "--version") {
-    std::cout << "ogive " << ogive::version << "\n";
-    return options::success;
-  }
-  if (arguments[0] == "completion") {
-    std::cout << bash_completion(subcommands());
+  const std::string first = arguments.empty() ? "--help" : arguments[0];
+  const bool helps = first == "--help" || first == "-h", completes = first == "completion";
+  if (helps || completes || first == "--version") {
+    std::cout << (helps ? help() : completes ? bash_completion() : std::string("ogive ") + ogive::version + "\n");
     return options::success;
   }
   std::vector<std::string> names{"completion"};
   for (const Subcommand &one : subcommands()) {
     names.emplace_back(one.name);
-    if (arguments[0] != one.name) continue;
+    if (first != one.name) continue;
     name += std::string(" ") + one.name;
     return one.run({arguments.begin() + 1, arguments.end()});
   }
-  throw ogive::SetupError(options::printable(arguments[0]) + ": unknown command" +
-                          options::nearest_text(arguments[0], names) + "; ogive --help lists all");
+  throw ogive::SetupError(options::printable(first) + ": unknown command" + options::nearest_text(first, names) +
+                          "; ogive --help lists all");
 }
 
 } // namespace

@@ -4,32 +4,25 @@
 #include "materials/library.hpp"
 #include "materials/material_keys.hpp"
 #include "options/exit_status.hpp"
-#include "options/nearest.hpp"
+#include "options/text.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 namespace commands {
 
 namespace {
 
+// clang-format off
 options::Table table_of(std::vector<std::string> &words, ::materials::Model &model) {
   options::Table t;
-  options::add(t, words,
-               {.key = "action",
-                .meaning = "list, show NAME..., or check FILE.toml...",
-                .source = "list: ours",
-                .brief = "list, show NAME... or check FILE.toml...",
-                .allowed = "list, show or check",
-                .in_file = false});
-  options::add(t, model,
-               {.key = "model",
-                .meaning = "flow law of a metal of the library that is shown",
-                .source = "paper",
-                .brief = "flow law of a metal that is shown: mjc or jc",
-                .in_file = false});
+  options::add(t, words, {.key = "action", .meaning = "list, show NAME..., or check FILE.toml...",
+      .source = "list: ours", .brief = "list, show NAME... or check FILE.toml...",
+      .allowed = "list, show or check", .in_file = false});
+  options::add(t, model, {.key = "model", .meaning = "flow law of a metal of the library that is shown",
+      .source = "paper", .brief = "flow law of a metal that is shown: mjc or jc", .in_file = false});
   return t;
 }
+// clang-format on
 
 /// Prints a metal as a file for --material.
 void show(const std::string &name, ::materials::Model model) {
@@ -43,11 +36,7 @@ void show(const std::string &name, ::materials::Model model) {
 
 } // namespace
 
-options::Table materials_table() {
-  std::vector<std::string> words;
-  ::materials::Model model{};
-  return table_of(words, model);
-}
+options::Table materials_table() { return unbound(table_of); }
 
 int materials(const options::Arguments &arguments) {
   std::vector<std::string> words;
@@ -60,10 +49,8 @@ int materials(const options::Arguments &arguments) {
       .usage = "[list | show NAME... | check FILE.toml...]",
       .examples = "  ogive materials show weldox_460e\n  ogive materials check my_steel.toml\n",
       .positional = "action"};
-  const auto line = options::read_command_line(command, table, arguments, std::cout);
+  const auto line = options::read_values(command, table, arguments, std::cout);
   if (!line) return options::success;
-  options::Origins origins;
-  for (const options::Given &given : line->given) options::apply(table, origins, given);
   const std::string action = words.empty() ? "list" : words.front();
   const std::vector<std::string> names(words.begin() + (words.empty() ? 0 : 1), words.end());
   const std::vector<std::string> actions{"list", "show", "check"};

@@ -9,16 +9,11 @@
 #include "shot/run.hpp"
 #include "shot/table.hpp"
 
-#include <cstdio>
 #include <iostream>
-#include <string>
 
 namespace commands {
 
-options::Table mesh_table() {
-  shot::Options o;
-  return shot::table_of(o);
-}
+options::Table mesh_table() { return unbound(shot::table_of); }
 
 int mesh(const options::Arguments &arguments) {
   const options::Command command{

@@ -30,13 +30,12 @@ struct General {
 options::Table table_of(shot::Options &o, General &general) {
   options::Table t = shot::table_of(o);
   t.group = "General";
-  options::Option &restart = options::add(t, general.restart, {.key = "restart",
+  options::add(t, general.restart, {.key = "restart",
       .meaning = "resume from FILE, the checkpoint.bin of a run that was interrupted; the results are "
       "bit-identical to those of an uninterrupted run. Only --end-us, --out, --output-every-us, "
       "--checkpoint-every-us, --vtk, --picture, --quiet and --threads may be given anew", .source = "none: begin",
       .brief = "resume from the checkpoint of an interrupted run", .allowed = "the name of a checkpoint file",
-      .in_file = false});
-  restart.placeholder = "FILE";
+      .in_file = false}).placeholder = "FILE";
   options::add(t, general.resume, {.key = "resume", .meaning = "resume from the checkpoint.bin in the folder for "
       "the results, if an interrupted run of this very case left one there; else begin", .source = "no: ours",
       .in_file = false});
@@ -46,11 +45,7 @@ options::Table table_of(shot::Options &o, General &general) {
 
 } // namespace
 
-options::Table shoot_table() {
-  shot::Options o;
-  General general;
-  return table_of(o, general);
-}
+options::Table shoot_table() { return unbound(table_of); }
 
 std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, std::ostream &text) {
   const options::Command command{
@@ -71,13 +66,11 @@ std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, st
   const auto line = options::read_command_line(command, table, arguments, text);
   if (!line) return std::nullopt;
   options::Origins origins;
-  std::vector<options::Given> given;
-  for (const options::Given &one : line->given)
-    if (one.key == "restart" || one.key == "resume")
-      options::apply(table, origins, one);
-    else
-      given.push_back(one);
+  for (const char *key : {"restart", "resume"})
+    if (const options::Given *given = line->find(key)) options::apply(table, origins, *given);
   if (general.restart) {
+    std::vector<options::Given> given = line->given;
+    std::erase_if(given, [&](const options::Given &one) { return origins.contains(one.key); });
     if (line->config) given.insert(given.begin(), {"config", "--config", *line->config});
     return shot::restarted(*general.restart, given);
   }

@@ -11,8 +11,6 @@
 
 #include "ogive/io/write_error.hpp"
 
-#include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 namespace commands {
@@ -31,16 +29,14 @@ struct SweepOptions {
 options::Table table_of(shot::Options &o, SweepOptions &s) {
   options::Table t;
   t.group = "Study";
-  options::Option &cases = options::add(t, s.cases, {.key = "cases",
+  options::add(t, s.cases, {.key = "cases",
       .meaning = "a list: columns are names of options (thickness_mm), each row is a case; columns name and text "
       "are notes", .source = "none: one case", .brief = "a list of cases: columns are names of options",
-      .allowed = "the name of a CSV file", .in_file = false});
-  cases.placeholder = "CASES.csv";
-  options::Option &vary = options::add(t, s.vary, {.key = "vary",
+      .allowed = "the name of a CSV file", .in_file = false}).placeholder = "CASES.csv";
+  options::add(t, s.vary, {.key = "vary",
       .meaning = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP: every case with each of these values; several "
       "multiply", .source = "none: ours", .brief = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP; several multiply",
-      .allowed = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP", .in_file = false});
-  vary.placeholder = "NAME=LIST...";
+      .allowed = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP", .in_file = false}).placeholder = "NAME=LIST...";
   options::add(t, s.limit, {.key = "limit", .meaning = "find the ballistic limit of each case instead of one shot",
       .source = "no: ours", .brief = "the ballistic limit of each case instead of one shot", .in_file = false});
   options::add(t, s.width_mps, {.key = "width_mps",
@@ -69,9 +65,7 @@ std::vector<std::size_t> varied_columns(const std::vector<study::Case> &cases) {
 void print_shots(const study::CaseList &list, const std::vector<study::Row> &rows) {
   const auto columns = varied_columns(list.cases);
   std::printf("\n");
-  for (const std::size_t k : columns)
-    std::printf("  %-20s", k < study::key_columns().size() ? study::key_columns()[k].c_str()
-                                                           : list.own_columns[k - study::key_columns().size()].c_str());
+  for (const std::size_t k : columns) std::printf("  %-20s", study::column_name(k, list.own_columns).c_str());
   std::printf("  %-12s  %-14s  %s\n", "perforated", "residual, m/s", "energy error, %");
   for (const study::Case &one : list.cases) {
     const study::Row *row = study::find_row(rows, one.key);
@@ -109,11 +103,7 @@ void draw(const study::CaseList &list, const std::vector<study::Series> &series,
 
 } // namespace
 
-options::Table sweep_table() {
-  shot::Options o;
-  SweepOptions s;
-  return table_of(o, s);
-}
+options::Table sweep_table() { return unbound(table_of); }
 
 int sweep(const options::Arguments &arguments) {
   shot::Options defaults;
@@ -131,11 +121,9 @@ int sweep(const options::Arguments &arguments) {
       .more = exit_statuses,
       .config = true,
       .positional = "cases"};
-  const auto line = options::read_command_line(command, table, arguments, std::cout);
+  const auto line = options::read_values(command, table, arguments, std::cout);
   if (!line) return options::success;
-  options::Origins origins;
-  for (const options::Given &given : line->given) options::apply(table, origins, given);
-  if (!origins.contains("out")) throw ogive::SetupError("--out: is required: the folder of the study");
+  if (line->find("out") == nullptr) throw ogive::SetupError("--out: is required: the folder of the study");
   if (!s.cases && s.vary.empty()) throw ogive::SetupError("CASES.csv, --vary: one of them is required");
 
   auto levels = shot::levels_of(*line);

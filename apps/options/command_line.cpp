@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 
-#include "nearest.hpp"
 #include "ogive/version.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstring>
 #include <ostream>
 
@@ -73,19 +71,20 @@ std::optional<CommandLine> read_command_line(const Command &command, const Table
   CLI::App app;
   app.set_help_flag();
   app.allow_extras();
-  const auto *help_flag = app.add_flag("--help,-h"), *help_all_flag = app.add_flag("--help-all");
-  const auto *version_flag = app.add_flag("--version");
+  const auto *help_flag = app.add_flag("--help,-h"), *all_flag = app.add_flag("--help-all"),
+             *version_flag = app.add_flag("--version");
   // CLI11 takes the command line apart; values are checked later, where the limits are known.
   std::vector<const CLI::Option *> options;
   for (const Option &option : table.options) {
-    const auto flags = flags_of(option);
-    const std::string names = flags.front() + (flags.size() > 1 ? "," + flags.back() : "");
+    const std::string names = joined(flags_of(option), ",");
+    const bool several = option.values == Values::several;
     if (option.values == Values::none)
       options.push_back(app.add_flag(names + ",!" + no_flag_of(option.key)));
-    else if (option.values == Values::one)
-      options.push_back(app.add_option(names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast));
     else
-      options.push_back(app.add_option(names)->expected(-1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+      options.push_back(
+          app.add_option(names)
+              ->expected(several ? -1 : 1)
+              ->multi_option_policy(several ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::TakeLast));
   }
   require_values(table, all);
   try {
@@ -96,9 +95,9 @@ std::optional<CommandLine> read_command_line(const Command &command, const Table
 
   if (version_flag->count() > 0)
     text << command.name << " " << ogive::version << "\n";
-  else if (help_flag->count() + help_all_flag->count() > 0)
-    text << help(command, table, help_all_flag->count() > 0);
-  if (version_flag->count() + help_flag->count() + help_all_flag->count() > 0) return std::nullopt;
+  else if (help_flag->count() + all_flag->count() > 0)
+    text << help(command, table, all_flag->count() > 0);
+  if (version_flag->count() + help_flag->count() + all_flag->count() > 0) return std::nullopt;
 
   for (const auto &extra : app.remaining()) {
     if (command.positional.empty() || extra.starts_with("-")) refuse_extra(command, table, extra);
@@ -120,12 +119,19 @@ std::optional<CommandLine> read_command_line(const Command &command, const Table
   return line;
 }
 
+std::optional<CommandLine> read_values(const Command &command, const Table &table, const Arguments &arguments,
+                                       std::ostream &text) {
+  auto line = read_command_line(command, table, arguments, text);
+  Origins origins;
+  if (line)
+    for (const Given &given : line->given) apply(table, origins, given);
+  return line;
+}
+
 std::string help_item(const std::string &flag, const std::string &text) {
   std::string start = "  " + flag;
-  if (start.size() >= text_column)
-    start += "\n" + std::string(text_column, ' ');
-  else
-    start.resize(text_column, ' ');
+  if (start.size() >= text_column) start += "\n" + std::string(text_column, ' ');
+  start.resize(std::max(start.size(), text_column), ' ');
   return broken(start, text, text_column);
 }
 
@@ -133,41 +139,33 @@ std::string help(const Command &command, const Table &table, bool all) {
   std::string text = command.name + (command.usage.empty() ? "" : " " + command.usage) + "\n" + command.purpose;
   if (all) text += "In brackets: the default, and its source.\n";
   std::string group = "\n";
-  const auto placed = [](const Option &option) {
-    return flag_of(option.key) + (option.placeholder.empty() ? "" : " " + option.placeholder);
-  };
+  std::size_t hidden = 0;
   for (const Option &option : table.options) {
+    hidden += *option.brief == 0 ? 1 : 0;
     if (!all && *option.brief == 0) continue;
     if (group != option.group)
       text += (all && !option.group.empty()) ? "\n" + option.group + ":\n" : group == "\n" ? "\n" : "";
     group = option.group;
-    const std::string_view source = option.source;
-    std::string fallback = std::string(source);
-    if (source.find(':') == std::string_view::npos) {
-      const std::string value = option.kind == Kind::file ? "" : shown(option);
-      fallback = value + (value.empty() || source.empty() ? "" : ": ") + std::string(source);
-    }
+    const std::string placed = flag_of(option.key) + (option.placeholder.empty() ? "" : " " + option.placeholder);
+    // The folder of the results follows from the case.
+    const std::string source = option.source, value = option.kind == Kind::file ? "" : shown(option);
+    const std::string fallback =
+        source.find(':') != std::string::npos ? source : value + (value.empty() || source.empty() ? "" : ": ") + source;
     if (all) {
-      text +=
-          help_item(placed(option), option.meaning + option.range + (fallback.empty() ? "" : " [" + fallback + "]"));
+      text += help_item(placed, option.meaning + option.range + (fallback.empty() ? "" : " [" + fallback + "]"));
     } else {
-      // A folder follows from the case.
       const std::string first = option.kind == Kind::file ? "" : fallback.substr(0, fallback.find(':')),
-                        value = " [" + first + "]";
-      const bool has_room = text_column + std::strlen(option.brief) + value.size() <= width;
-      text += help_item(placed(option), option.brief + (first.empty() || first == "none" || !has_room ? "" : value));
+                        shown_value = first.empty() || first == "none" ? "" : " [" + first + "]";
+      const bool has_room = text_column + std::strlen(option.brief) + shown_value.size() <= width;
+      text += help_item(placed, option.brief + (has_room ? shown_value : ""));
     }
   }
-  if (all) {
+  if (all)
     text += (group == general ? "" : "\n" + std::string(general) + ":\n") +
             help_item("--version", "print the version") +
             help_item("--help", "print the options that most users need") + help_item("--help-all", "print this text");
-  } else {
-    std::size_t hidden = 0;
-    for (const Option &option : table.options) hidden += *option.brief == 0 ? 1 : 0;
-    if (hidden > 0)
-      text += help_item("--help-all", "all options, " + std::to_string(hidden) + " more, with their sources");
-  }
+  else if (hidden > 0)
+    text += help_item("--help-all", "all options, " + std::to_string(hidden) + " more, with their sources");
   if (!command.examples.empty()) text += "\nExamples:\n" + command.examples;
   if (all && !command.more.empty()) text += "\n" + command.more;
   return text;

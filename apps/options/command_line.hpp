@@ -4,9 +4,6 @@
 #include "table.hpp"
 
 #include <iosfwd>
-#include <optional>
-#include <string>
-#include <vector>
 
 /// \file
 /// The command line of a program, taken apart; the table's functions then set the values.
@@ -41,6 +38,10 @@ struct CommandLine {
 /// Throws SetupError, one line, for unknown flags, superfluous arguments and flags without a value.
 std::optional<CommandLine> read_command_line(const Command &command, const Table &table, const Arguments &arguments,
                                              std::ostream &text);
+
+/// The same, and sets the values of the table.
+std::optional<CommandLine> read_values(const Command &command, const Table &table, const Arguments &arguments,
+                                       std::ostream &text);
 
 /// The help of a program: the options with a brief text, one line each, or all.
 std::string help(const Command &command, const Table &table, bool all);

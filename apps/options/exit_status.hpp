@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/core/error.hpp"
-#include "ogive/io/write_error.hpp"
-
-#include <cstdio>
-#include <exception>
+#include <functional>
 #include <string>
 
 namespace options {
@@ -16,20 +12,11 @@ enum ExitStatus { success = 0, failure = 1, bad_input = 2, not_finished = 3 };
 
 /// The status of run(); where it throws, one line on standard error that begins with the name that the program then
 /// has.
-template <class Run> int run_main(const std::string &program, Run &&run) {
-  const auto reported = [&](const std::exception &error, ExitStatus status) {
-    std::fprintf(stderr, "%s: error: %s\n", program.c_str(), error.what());
-    return status;
-  };
-  try {
-    return run();
-  } catch (const ogive::SetupError &error) {
-    return reported(error, bad_input);
-  } catch (const ogive::WriteError &error) {
-    return reported(error, not_finished);
-  } catch (const std::exception &error) {
-    return reported(error, failure);
-  }
-}
+int run_main(const std::string &program, const std::function<int()> &run);
+
+/// Makes OpenMP's threads wait briefly in a busy loop and then sleep: threads that spin longer slow each other down as
+/// soon as the machine has other work. GCC's OpenMP reads that from the environment when a program is loaded, so the
+/// program is started once more, unless the user has chosen already. To be called first in main().
+void limit_spinning(char **argv);
 
 } // namespace options

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "text.hpp"
+
 #include "ogive/core/error.hpp"
-#include "ogive/io/text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 /// \file
 /// What a user gives, on the command line or in a file: numbers as text, limits, and one-line errors.
 
 namespace options {
-
-using ogive::number_from;
-using ogive::printable;
-using ogive::shortest;
 
 /// What a number may be.
 struct Limits {
@@ -46,6 +35,11 @@ template <class E> struct Choice {
   std::string_view name{};
 };
 
+/// A list of choices: named<E>({{E::one, "one"}, {E::two, "two"}}).
+template <class E, std::size_t count> constexpr auto named(const Choice<E> (&choices)[count]) {
+  return std::to_array(choices);
+}
+
 /// Name of a choice in a list of all.
 template <class List, class E> std::string name_in(const List &list, E value) {
   for (const auto &choice : list)
@@ -55,41 +49,9 @@ template <class List, class E> std::string name_in(const List &list, E value) {
 
 /// All names in a list of choices, separated by commas.
 template <class List> std::string names_in(const List &list) {
-  std::string names;
-  for (const auto &choice : list) names.append(names.empty() ? "" : ", ").append(choice.name);
-  return names;
-}
-
-/// The shortest text that reads back as the same number times 10^power. The point is moved in the text: that is exact,
-/// where a multiplication would round.
-inline std::string shortest(double number, int power) {
-  if (power == 0 || number == 0 || !std::isfinite(number)) return shortest(number);
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::scientific);
-  const std::string_view text(buffer.data(), end.ptr);
-  const std::size_t e = text.find('e');
-  const std::string sign = text.starts_with('-') ? "-" : "";
-  const int exponent = std::atoi(std::string(text.substr(e + 1)).c_str()) + power;
-  std::string digits(text.substr(sign.size(), e - sign.size()));
-  std::erase(digits, '.');
-  if (exponent < -5 || exponent >= 15)
-    return sign + digits.substr(0, 1) + (digits.size() > 1 ? "." : "") + digits.substr(1) + "e" +
-           std::to_string(exponent);
-  if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  const auto whole = static_cast<std::size_t>(exponent) + 1;
-  if (digits.size() <= whole) return sign + digits + std::string(whole - digits.size(), '0');
-  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
-}
-
-/// A number from all of `text`, times 10^power, without rounding in between.
-inline std::optional<double> number_from(std::string_view text, int power) {
-  const auto number = number_from(text);
-  if (!number || power == 0) return number;
-  const std::size_t e = text.find_first_of("eE");
-  long exponent = 0;
-  if (e != std::string_view::npos) exponent = std::atol(std::string(text.substr(e + 1)).c_str());
-  exponent = std::clamp(exponent, -100000L, 100000L);
-  return number_from(std::string(text.substr(0, e)) + "e" + std::to_string(exponent + power));
+  std::vector<std::string_view> names;
+  for (const auto &choice : list) names.push_back(choice.name);
+  return joined(names);
 }
 
 /// "0.5 and 100 mm", or with another word between.
@@ -148,11 +110,8 @@ inline std::vector<Given> entries_given(const Given &given) {
   if (given.kind == Given::list) return given.entries;
   std::vector<Given> entries;
   if (given.kind != Given::untyped && given.kind != Given::text) return {given};
-  for (std::size_t begin = 0; begin <= given.value.size();) {
-    const std::size_t end = std::min(given.value.find(',', begin), given.value.size());
-    entries.push_back({given.key, given.where, given.value.substr(begin, end - begin), Given::untyped});
-    begin = end + 1;
-  }
+  for (const std::string &part : split(given.value, ','))
+    entries.push_back({given.key, given.where, part, Given::untyped});
   return entries;
 }
 
@@ -162,26 +121,6 @@ template <class List> auto choice_given(const Given &given, const List &list) {
   for (const auto &choice : list)
     if (may_be && given.value == choice.name) return choice.value;
   refuse(given, "must be one of " + names_in(list));
-}
-
-/// `start` and then `text`, broken at blanks to fit a terminal of 100 columns; further lines are indented.
-inline std::string broken(const std::string &start, const std::string &text, std::size_t indent) {
-  constexpr std::size_t width = 100;
-  std::string lines = start;
-  std::size_t column = lines.size() - (lines.rfind('\n') + 1);
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (column + end - begin > width) {
-      lines.back() = '\n';
-      lines.append(indent, ' ');
-      column = indent;
-    }
-    lines += text.substr(begin, end - begin) + " ";
-    column += end - begin + 1;
-    begin = end + 1;
-  }
-  lines.back() = '\n';
-  return lines;
 }
 
 } // namespace options

@@ -5,10 +5,6 @@
 
 #include "ogive/io/atomic_file.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace options {
 
 namespace {

@@ -1,76 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "table.hpp"
 
-#include "nearest.hpp"
-
-#include <algorithm>
-#include <cmath>
-
 namespace options {
 
 namespace {
 
-std::string number_text(const Limits &limits) { return "a number between " + text_of(limits); }
-
-int whole_given(const Option &option, const Given &given) {
-  const auto number = number_given(given);
-  if (!number || *number != std::floor(*number) || !within(option.limits, *number))
-    refuse(given, "must be " + option.allowed_text);
-  return static_cast<int>(*number);
-}
-
 std::string toml_text(double value) { return shortest(value); }
 std::string toml_text(int value) { return std::to_string(value); }
+std::string toml_text(bool value) { return value ? "true" : "false"; }
 std::string toml_text(const std::string &value) { return toml_string(value); }
 std::string toml_text(const std::filesystem::path &value) { return toml_string(value.string()); }
 template <class V> std::string toml_text(const std::optional<V> &value) { return value ? toml_text(*value) : ""; }
 template <class V> std::string toml_text(const std::vector<V> &values) {
-  std::string text;
-  for (const V &value : values) text += (text.empty() ? "" : ", ") + toml_text(value);
-  return text.empty() ? "" : "[" + text + "]";
+  std::vector<std::string> texts;
+  for (const V &value : values) texts.push_back(toml_text(value));
+  return texts.empty() ? "" : "[" + joined(texts) + "]";
 }
 
-/// An option whose value one piece of text gives.
-template <class V, class Read> Option &add_one(Option &option, V &value, Read &&read) {
-  option.assign = [&value, option_copy = option, read](const Given &given) { value = read(option_copy, given); };
+/// An option of this kind; `read` gets the value, what was given, and what is allowed.
+template <class V, class Read>
+Option &add_bound(Table &table, const Entry &entry, V &value, Kind kind, const char *placeholder,
+                  const std::string &allowed, Read &&read) {
+  Option &option = add_option(table, entry, kind, placeholder);
+  if (option.allowed_text.empty()) option.allowed_text = allowed;
+  option.assign = [&value, read, allowed = option.allowed_text](const Given &given) { read(value, given, allowed); };
   option.toml = [&value] { return toml_text(value); };
   return option;
 }
 
-Option &number_option(Table &table, const Entry &entry) {
-  Option &option = add_option(table, entry, Kind::number, "X");
+template <class V> Option &add_number(Table &table, V &value, const Entry &entry) {
+  const auto read = [limits = entry.limits](V &number, const Given &given, const std::string &) {
+    number = number_within(given, limits);
+  };
+  Option &option = add_bound(table, entry, value, Kind::number, "X", "a number between " + text_of(entry.limits), read);
   option.range = "; " + text_of(entry.limits, " to ");
-  option.allowed_text = number_text(entry.limits);
   return option;
 }
 
-Option &whole_option(Table &table, const Entry &entry) {
-  Option &option = add_option(table, entry, Kind::whole, "N");
+template <class V> Option &add_whole(Table &table, V &value, const Entry &entry) {
+  const auto read = [limits = entry.limits](V &whole, const Given &given, const std::string &allowed) {
+    const auto number = number_given(given);
+    if (!number || *number != std::floor(*number) || !within(limits, *number)) refuse(given, "must be " + allowed);
+    whole = static_cast<int>(*number);
+  };
+  Option &option =
+      add_bound(table, entry, value, Kind::whole, "N", "a whole number between " + text_of(entry.limits), read);
   option.range = "; " + text_of(entry.limits, " to ");
-  option.allowed_text = "a whole number between " + text_of(entry.limits);
   return option;
 }
 
-Option &text_option(Table &table, const Entry &entry, Kind kind, const char *placeholder, const char *allowed) {
-  Option &option = add_option(table, entry, kind, placeholder);
-  if (option.allowed_text.empty()) option.allowed_text = allowed;
-  return option;
+template <class V>
+Option &add_line(Table &table, V &value, const Entry &entry, Kind kind, const char *placeholder, const char *allowed) {
+  return add_bound(table, entry, value, kind, placeholder, allowed,
+                   [](V &line, const Given &given, const std::string &text) { line = line_given(given, text); });
 }
-
-const auto read_number = [](const Option &option, const Given &given) { return number_within(given, option.limits); };
-const auto read_line = [](const Option &option, const Given &given) { return line_given(given, option.allowed_text); };
 
 /// Several words of the command line, or an array of a file. Each call adds one.
-template <class V> Option &add_words(Option &option, std::vector<V> &values) {
-  option.values = Values::several;
-  option.assign = [&values, allowed = option.allowed_text](const Given &given) {
-    if (given.kind == Given::list) {
-      values.clear();
-      for (const Given &one : given.entries) values.emplace_back(line_given(one, allowed));
-    } else
-      values.emplace_back(line_given(given, allowed));
+template <class V>
+Option &add_words(Table &table, V &values, const Entry &entry, const char *placeholder, const char *allowed) {
+  const auto read = [](V &words, const Given &given, const std::string &text) {
+    const bool list = given.kind == Given::list;
+    if (list) words.clear();
+    for (const Given &one : list ? given.entries : std::vector{given}) words.emplace_back(line_given(one, text));
   };
-  option.toml = [&values] { return toml_text(values); };
+  Option &option = add_bound(table, entry, values, Kind::texts, placeholder, allowed, read);
+  option.values = Values::several;
   return option;
 }
 
@@ -99,62 +93,43 @@ Option &add_option(Table &table, const Entry &entry, Kind kind, const char *plac
   return option;
 }
 
-Option &add(Table &table, double &value, const Entry &entry) {
-  return add_one(number_option(table, entry), value, read_number);
+Option &add(Table &t, double &value, const Entry &e) { return add_number(t, value, e); }
+Option &add(Table &t, std::optional<double> &value, const Entry &e) { return add_number(t, value, e); }
+Option &add(Table &t, int &value, const Entry &e) { return add_whole(t, value, e); }
+Option &add(Table &t, std::optional<int> &value, const Entry &e) { return add_whole(t, value, e); }
+Option &add(Table &t, std::string &value, const Entry &e) {
+  return add_line(t, value, e, Kind::text, "TEXT", "a text");
 }
-
-Option &add(Table &table, std::optional<double> &value, const Entry &entry) {
-  return add_one(number_option(table, entry), value, read_number);
+Option &add(Table &t, std::optional<std::string> &value, const Entry &e) {
+  return add_line(t, value, e, Kind::text, "TEXT", "a text");
 }
-
-Option &add(Table &table, int &value, const Entry &entry) {
-  return add_one(whole_option(table, entry), value, whole_given);
+Option &add(Table &t, std::filesystem::path &value, const Entry &e) {
+  return add_line(t, value, e, Kind::file, "FOLDER", "the name of a folder");
 }
-
-Option &add(Table &table, std::optional<int> &value, const Entry &entry) {
-  return add_one(whole_option(table, entry), value, whole_given);
+Option &add(Table &t, std::vector<std::string> &values, const Entry &e) {
+  return add_words(t, values, e, "TEXT...", "a text");
+}
+Option &add(Table &t, std::vector<std::filesystem::path> &values, const Entry &e) {
+  return add_words(t, values, e, "FILE...", "the name of a file");
 }
 
 Option &add(Table &table, bool &value, const Entry &entry) {
-  Option &option = add_option(table, entry, Kind::truth, "");
+  Option &option = add_bound(table, entry, value, Kind::truth, "", "true or false",
+                             [](bool &truth, const Given &given, const std::string &) { truth = truth_given(given); });
   option.values = Values::none;
   option.range = "; " + no_flag_of(entry.key) + " for not";
-  option.allowed_text = "true or false";
-  option.assign = [&value](const Given &given) { value = truth_given(given); };
-  option.toml = [&value] { return std::string(value ? "true" : "false"); };
   return option;
-}
-
-Option &add(Table &table, std::string &value, const Entry &entry) {
-  return add_one(text_option(table, entry, Kind::text, "TEXT", "a text"), value, read_line);
-}
-
-Option &add(Table &table, std::optional<std::string> &value, const Entry &entry) {
-  return add_one(text_option(table, entry, Kind::text, "TEXT", "a text"), value, read_line);
-}
-
-Option &add(Table &table, std::filesystem::path &value, const Entry &entry) {
-  return add_one(text_option(table, entry, Kind::file, "FOLDER", "the name of a folder"), value, read_line);
 }
 
 Option &add(Table &table, std::vector<double> &values, const Entry &entry) {
-  Option &option = add_option(table, entry, Kind::numbers, "X,X,...");
+  const auto read = [limits = entry.limits](std::vector<double> &numbers, const Given &given, const std::string &) {
+    numbers.clear();
+    for (const Given &one : entries_given(given)) numbers.push_back(number_within(one, limits));
+  };
+  Option &option = add_bound(table, entry, values, Kind::numbers, "X,X,...", "", read);
   option.range = "; numbers " + text_of(entry.limits, " to ") + " with commas between them";
   option.allowed_text = "numbers between " + text_of(entry.limits) + " with commas between them";
-  option.assign = [&values, limits = entry.limits](const Given &given) {
-    values.clear();
-    for (const Given &one : entries_given(given)) values.push_back(number_within(one, limits));
-  };
-  option.toml = [&values] { return toml_text(values); };
   return option;
-}
-
-Option &add(Table &table, std::vector<std::string> &values, const Entry &entry) {
-  return add_words(text_option(table, entry, Kind::texts, "TEXT...", "a text"), values);
-}
-
-Option &add(Table &table, std::vector<std::filesystem::path> &values, const Entry &entry) {
-  return add_words(text_option(table, entry, Kind::texts, "FILE...", "the name of a file"), values);
 }
 
 const Option *find(const Table &table, std::string_view key) {
@@ -163,10 +138,10 @@ const Option *find(const Table &table, std::string_view key) {
   return nullptr;
 }
 
-std::string keys_of(const Table &table) {
-  std::string keys;
+std::vector<std::string> keys_of(const Table &table) {
+  std::vector<std::string> keys;
   for (const Option &option : table.options)
-    if (option.in_file) keys += (keys.empty() ? "" : ", ") + std::string(option.key);
+    if (option.in_file) keys.emplace_back(option.key);
   return keys;
 }
 
@@ -178,13 +153,11 @@ void apply(const Table &table, Origins &origins, const Given &given) {
 std::vector<Given> entries_of(const Table &table, std::string_view text, const std::string &file,
                               const std::string &example) {
   std::vector<Given> entries = toml_entries(text, file, example);
-  std::vector<std::string> known;
-  for (const Option &option : table.options)
-    if (option.in_file) known.emplace_back(option.key);
+  const std::vector<std::string> known = keys_of(table);
   for (const Given &given : entries)
     if (std::find(known.begin(), known.end(), given.key) == known.end())
       refuse(given.where, given.value,
-             "unknown key" + nearest_text(given.key, known) + "; allowed are " + keys_of(table));
+             "unknown key" + nearest_text(given.key, known) + "; allowed are " + joined(known));
   return entries;
 }
 

@@ -3,13 +3,8 @@
 
 #include "toml_file.hpp"
 
-#include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 /// \file
 /// The table of a program's options. Command line, TOML files, help and completion all read it.
@@ -96,8 +91,8 @@ requires std::is_enum_v<E> Option &add(Table &table, E &value, const Entry &entr
 /// The option with this key or alias; null if there is none.
 const Option *find(const Table &table, std::string_view key);
 
-/// The keys that files may have, separated by commas.
-std::string keys_of(const Table &table);
+/// The keys that files may have.
+std::vector<std::string> keys_of(const Table &table);
 
 /// Sets the option that was given and notes its origin. The option must be in the table. Throws SetupError.
 void apply(const Table &table, Origins &origins, const Given &given);

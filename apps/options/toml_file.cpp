@@ -4,11 +4,8 @@
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <memory>
-#include <system_error>
 
 namespace options {
 
@@ -18,30 +15,20 @@ std::string place(const std::string &file, const toml::source_region &source) {
   return file + ":" + std::to_string(source.begin.line);
 }
 
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return lines;
-}
-
 /// The text of a number as it stands in the file: a double of it is rounded before its unit is converted. `parsed`
 /// instead where that cannot be found or is not plain decimal.
-std::string written(const std::vector<std::string_view> &lines, const toml::source_region &source, double number,
+std::string written(const std::vector<std::string> &lines, const toml::source_region &source, double number,
                     const std::string &parsed) {
   const auto &[begin, end, file] = source;
   if (begin.line == 0 || begin.line > lines.size() || begin.line != end.line || begin.column == 0 ||
       end.column < begin.column || begin.column > lines[begin.line - 1].size())
     return parsed;
-  std::string found(lines[begin.line - 1].substr(begin.column - 1, end.column - begin.column));
+  std::string found = lines[begin.line - 1].substr(begin.column - 1, end.column - begin.column);
   std::erase_if(found, [](char c) { return c == '_' || c == ' ' || c == '\t' || c == '\r'; });
   return number_from(found) == number ? found : parsed;
 }
 
-Given given_from(const std::vector<std::string_view> &lines, const std::string &key, const toml::node &node,
+Given given_from(const std::vector<std::string> &lines, const std::string &key, const toml::node &node,
                  const std::string &where) {
   Given given{key, where, "", Given::other};
   if (const auto *text = node.as_string()) {
@@ -97,7 +84,7 @@ std::vector<Given> toml_entries(std::string_view text, const std::string &file, 
     throw ogive::SetupError(printable(place(file, error.source())) + ": " + printable(error.description()) +
                             "; a line of TOML reads key = value, for example " + example);
   }
-  const auto lines = lines_of(text);
+  const auto lines = split(text, '\n');
   std::vector<Given> entries;
   for (const auto &[name, node] : table) {
     const std::string key(name.str());
@@ -109,14 +96,9 @@ std::vector<Given> toml_entries(std::string_view text, const std::string &file, 
 std::string toml_string(std::string_view text) {
   std::string escaped = "\"";
   for (const char c : text) {
-    char code[8];
-    std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned char>(c));
-    if (c == '"' || c == '\\')
-      (escaped += '\\') += c;
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      escaped += code;
-    else
-      escaped += c;
+    if (c == '"' || c == '\\') escaped += '\\';
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    escaped += is_control ? printed("\\u%04x", static_cast<unsigned>(c)) : std::string(1, c);
   }
   return escaped + '"';
 }

@@ -3,11 +3,6 @@
 
 #include "given.hpp"
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
 /// \file
 /// Flat TOML files: key = value, one a line.
 

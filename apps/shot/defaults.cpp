@@ -7,9 +7,6 @@
 #include "projectile.hpp"
 #include "table.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace shot {
 
 namespace {

@@ -7,8 +7,6 @@
 #include "projectile.hpp"
 #include "table.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -17,9 +15,7 @@ namespace shot {
 namespace {
 
 using options::Given;
-using options::origin_of;
 using options::Origins;
-using options::refuse;
 using options::shortest;
 
 /// Sets what one level gives; later levels win.
@@ -69,60 +65,58 @@ Options settled(const std::vector<Level> &levels) {
 }
 
 void check(const Options &o, const Origins &origins) {
-  const auto refuse_value = [&](const char *key, double value, const std::string &allowed) {
-    refuse(origin_of(origins, key), shortest(value), allowed);
+  const auto refuse = [&](const char *key, const auto &value, const std::string &allowed) {
+    refuse_value(origins, key, value, allowed);
   };
   if (o.damage == DamageLaw::none) {
     const std::string needed = "needs --damage jc or --damage cockcroft_latham";
-    if (o.failure != FailureEffect::none) refuse(origin_of(origins, "failure"), name_of(o.failure), needed);
-    if (o.damage_softening > 0) refuse_value("damage_softening", o.damage_softening, needed);
-    if (o.damage_length_mm.value_or(0) > 0) refuse_value("damage_length_mm", *o.damage_length_mm, needed);
-    if (o.damage_length_scope != LengthScope::everywhere)
-      refuse(origin_of(origins, "damage_length_scope"), name_of(o.damage_length_scope), needed);
-    if (o.damage_pressure != DamagePressure::own)
-      refuse(origin_of(origins, "damage_pressure"), name_of(o.damage_pressure), needed);
+    if (o.failure != FailureEffect::none) refuse("failure", o.failure, needed);
+    if (o.damage_softening > 0) refuse("damage_softening", o.damage_softening, needed);
+    if (o.damage_length_mm.value_or(0) > 0) refuse("damage_length_mm", *o.damage_length_mm, needed);
+    if (o.damage_length_scope != LengthScope::everywhere) refuse("damage_length_scope", o.damage_length_scope, needed);
+    if (o.damage_pressure != DamagePressure::own) refuse("damage_pressure", o.damage_pressure, needed);
   }
-  if (o.method == Method::adaptive && o.damage != DamageLaw::none && o.failure != FailureEffect::no_tension)
-    refuse(origin_of(origins, "failure"), name_of(o.failure),
-           "must be no_tension with --method adaptive: so do the particles that hexes turn into");
-  if (o.method == Method::adaptive && o.damage_pressure != DamagePressure::own)
-    refuse(origin_of(origins, "damage_pressure"), name_of(o.damage_pressure),
-           "must be own with --method adaptive: hexes have no neighbours");
-  if (o.method == Method::adaptive && o.control_stiffness > 0)
-    refuse_value("control_stiffness", o.control_stiffness, "must be 0 with --method adaptive: hexes have no bonds");
-  if (o.method == Method::adaptive && o.layers_mm.size() > 1)
-    refuse_value("layers_mm", static_cast<double>(o.layers_mm.size()), "must be one plate with --method adaptive");
+  if (o.method == Method::adaptive) {
+    if (o.damage != DamageLaw::none && o.failure != FailureEffect::no_tension)
+      refuse("failure", o.failure,
+             "must be no_tension with --method adaptive: so do the particles that hexes turn into");
+    if (o.damage_pressure != DamagePressure::own)
+      refuse("damage_pressure", o.damage_pressure, "must be own with --method adaptive: hexes have no neighbours");
+    if (o.control_stiffness > 0)
+      refuse("control_stiffness", o.control_stiffness, "must be 0 with --method adaptive: hexes have no bonds");
+    if (o.layers_mm.size() > 1) refuse("layers_mm", o.layers_mm.size(), "must be one plate with --method adaptive");
+  }
   const double thinnest =
       o.layers_mm.empty() ? o.thickness_mm : *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
   if (o.spacing_mm > thinnest / 2)
-    refuse_value("spacing_mm", o.spacing_mm,
-                 std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
-                     "plate, " + shortest(thinnest / 2) + " mm");
+    refuse("spacing_mm", o.spacing_mm,
+           std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
+               "plate, " + shortest(thinnest / 2) + " mm");
   const double turn = o.obliquity_deg * std::numbers::pi / 180;
   const double smallest_disc =
       std::round(1e6 * (o.diameter_mm / 2 / std::cos(turn) + target_depth_mm(o) * std::tan(turn) + 2 * o.spacing_mm)) /
       1e6;
   if (o.sph_radius_mm < smallest_disc || o.sph_radius_mm >= o.clamp_radius_mm)
-    refuse_value("sph_radius_mm", o.sph_radius_mm,
-                 "must lie between " + shortest(smallest_disc) + " mm, " +
-                     (o.obliquity_deg > 0 ? "what the oblique projectile needs" : "the projectile's radius") +
-                     " and two spacings, and " + "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
+    refuse("sph_radius_mm", o.sph_radius_mm,
+           "must lie between " + shortest(smallest_disc) + " mm, " +
+               (o.obliquity_deg > 0 ? "what the oblique projectile needs" : "the projectile's radius") +
+               " and two spacings, and " + "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
   if (o.obliquity_deg > 0 && o.extent == Extent::quarter)
-    refuse_value("obliquity_deg", o.obliquity_deg, "needs --extent half or --extent full");
+    refuse("obliquity_deg", o.obliquity_deg, "needs --extent half or --extent full");
   if (o.mass_g > 0) {
     // Plastics to the heaviest metals, and bodies that are hollow or carry more than they are.
     constexpr double lightest = 100, heaviest = 50000; // kg/m3
     const double volume = ogive::volume(shape_of(o)), low = lightest * volume * 1e3, high = heaviest * volume * 1e3;
     if (o.mass_g < low || o.mass_g > high)
-      refuse_value("mass_g", o.mass_g,
-                   "must give the projectile a density between 100 and 50000 kg/m3: " +
-                       shortest(std::ceil(low * 1e3) / 1e3) + " to " + shortest(std::floor(high)) + " g");
+      refuse("mass_g", o.mass_g,
+             "must give the projectile a density between 100 and 50000 kg/m3: " + shortest(std::ceil(low * 1e3) / 1e3) +
+                 " to " + shortest(std::floor(high)) + " g");
   }
   const double particles = estimated_particles(o);
   if (particles > most_particles)
-    refuse_value("spacing_mm", o.spacing_mm,
-                 "gives about " + shortest(std::round(particles / 1e6)) + " million particles, at most " +
-                     shortest(most_particles / 1e6) + " million are allowed");
+    refuse("spacing_mm", o.spacing_mm,
+           "gives about " + shortest(std::round(particles / 1e6)) + " million particles, at most " +
+               shortest(most_particles / 1e6) + " million are allowed");
 }
 
 double target_depth_mm(const Options &o) { return std::accumulate(o.gaps_mm.begin(), o.gaps_mm.end(), o.thickness_mm); }

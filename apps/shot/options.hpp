@@ -11,11 +11,6 @@
 #include "ogive/perforation/method.hpp"
 #include "options/command_line.hpp"
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 /// \file
 /// What a user can choose for a shot, from the command line, a TOML file or a row of a list of cases.
 

@@ -5,7 +5,6 @@
 #include "materials/material_keys.hpp"
 #include "table.hpp"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -41,8 +40,8 @@ void settle_material(Options &o, const std::string &material, bool is_model_fixe
   const auto plate = materials::find_metal(material, o.model, origin);
   const FlowModel model = materials::model_of(plate);
   if (o.model != model && origins.contains("model"))
-    refuse(origin_of(origins, "model"), name_of(o.model),
-           "contradicts " + printable(material) + ", which has model = " + name_of(model));
+    refuse_value(origins, "model", o.model,
+                 "contradicts " + printable(material) + ", which has model = " + name_of(model));
   if (o.model != model && is_model_fixed)
     refuse(origin, printable(material),
            "has model = " + name_of(model) + ", the other plates " + name_of(o.model) +
@@ -52,7 +51,7 @@ void settle_material(Options &o, const std::string &material, bool is_model_fixe
   using materials::Group;
   const auto need = [&](const char *key, auto choice, Group group) {
     if (!has(plate, group))
-      refuse(origin_of(origins, key), name_of(choice), "needs " + keys_of(group) + " in " + printable(material));
+      refuse_value(origins, key, choice, "needs " + keys_of(group) + " in " + printable(material));
   };
   if (o.pressure == PressureLaw::mie_gruneisen) need("pressure", o.pressure, Group::shock);
   if (o.damage == DamageLaw::johnson_cook) need("damage", o.damage, Group::strain);
@@ -60,18 +59,6 @@ void settle_material(Options &o, const std::string &material, bool is_model_fixe
 }
 
 } // namespace
-
-std::string joined(const std::vector<std::string> &texts, const std::string &separator) {
-  std::string all;
-  for (const std::string &text : texts) all += (all.empty() ? "" : separator) + text;
-  return all;
-}
-
-std::string joined(const std::vector<double> &numbers, const std::string &separator) {
-  std::vector<std::string> texts;
-  for (const double number : numbers) texts.push_back(options::shortest(number));
-  return joined(texts, separator);
-}
 
 std::string material_label(const Options &o) {
   std::vector<std::string> labels;
@@ -94,34 +81,32 @@ void override_layers(Options &o, Origins &origins, const std::string &key) {
 }
 
 void settle_layers(Options &o, const Origins &origins) {
-  const auto refuse_list = [&](const char *key, const auto &list, const std::string &allowed) {
-    refuse(origin_of(origins, key), joined(list, ","), allowed);
-  };
   const std::size_t count = o.layers_mm.size();
   if (!origins.contains("layers_mm")) {
-    if (!o.gaps_mm.empty()) refuse_list("gaps_mm", o.gaps_mm, "needs --layers-mm");
-    if (!o.layer_materials.empty()) refuse_list("layer_materials", o.layer_materials, "needs --layers-mm");
+    if (!o.gaps_mm.empty()) refuse_value(origins, "gaps_mm", o.gaps_mm, "needs --layers-mm");
+    if (!o.layer_materials.empty()) refuse_value(origins, "layer_materials", o.layer_materials, "needs --layers-mm");
     return;
   }
   if (count < 1 || count > ogive::most_layers)
-    refuse_list("layers_mm", o.layers_mm, "must be 1 to " + std::to_string(ogive::most_layers) + " thicknesses");
+    refuse_value(origins, "layers_mm", o.layers_mm,
+                 "must be 1 to " + std::to_string(ogive::most_layers) + " thicknesses");
   if (origins.contains("thickness_mm"))
-    refuse_list("layers_mm", o.layers_mm, "contradicts thickness_mm: give one of them");
+    refuse_value(origins, "layers_mm", o.layers_mm, "contradicts thickness_mm: give one of them");
 
   const std::size_t gaps = count - 1;
   if (o.gaps_mm.size() == 1 && gaps > 0) o.gaps_mm.resize(gaps, o.gaps_mm.front());
   if (!origins.contains("gaps_mm")) o.gaps_mm.assign(gaps, 0);
   if (o.gaps_mm.size() != gaps)
-    refuse_list("gaps_mm", o.gaps_mm,
-                gaps == 0
-                    ? "needs --layers-mm with at least 2 thicknesses"
-                    : "must be 1 number, or " + std::to_string(gaps) + " between " + std::to_string(count) + " plates");
+    refuse_value(origins, "gaps_mm", o.gaps_mm,
+                 gaps == 0 ? "needs --layers-mm with at least 2 thicknesses"
+                           : "must be 1 number, or " + std::to_string(gaps) + " between " + std::to_string(count) +
+                                 " plates");
   if (origins.contains("layer_materials")) {
     if (o.layer_materials.size() != count)
-      refuse_list("layer_materials", o.layer_materials,
-                  "must be " + std::to_string(count) + ", one for each plate of --layers-mm");
+      refuse_value(origins, "layer_materials", o.layer_materials,
+                   "must be " + std::to_string(count) + ", one for each plate of --layers-mm");
     if (origins.contains("material"))
-      refuse_list("layer_materials", o.layer_materials, "contradicts material: give one of them");
+      refuse_value(origins, "layer_materials", o.layer_materials, "contradicts material: give one of them");
     o.material = o.layer_materials.front();
     if (std::all_of(o.layer_materials.begin(), o.layer_materials.end(),
                     [&](const std::string &material) { return material == o.material; }))

@@ -5,9 +5,6 @@
 
 #include "options/table.hpp"
 
-#include <string>
-#include <vector>
-
 /// \file
 /// The plates of the options, one or several behind each other, and their metals.
 
@@ -16,9 +13,7 @@ namespace shot {
 /// The metals of all plates, from front to rear; all have the same flow law.
 using Plates = std::vector<materials::AnyMetal>;
 
-/// Texts or numbers with `separator` between them.
-std::string joined(const std::vector<std::string> &texts, const std::string &separator);
-std::string joined(const std::vector<double> &numbers, const std::string &separator);
+using options::joined;
 
 /// Name of the materials of all plates in the name of a folder.
 std::string material_label(const Options &options);

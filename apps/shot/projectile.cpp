@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "projectile.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "table.hpp"
 
 namespace shot {
 
@@ -45,41 +44,40 @@ bool is_of_the_tests(const Options &o) {
 }
 
 void settle_projectile(Options &o, const options::Origins &origins) {
-  const auto refuse_number = [&](const char *key, double value, const std::string &allowed) {
-    options::refuse(options::origin_of(origins, key), options::shortest(value), allowed);
-  };
   const double radius_mm = o.diameter_mm / 2;
   if (o.calibre_radius_head != 0) {
-    if (o.nose != Nose::ogival) refuse_number("calibre_radius_head", o.calibre_radius_head, "needs --nose ogival");
+    if (o.nose != Nose::ogival)
+      refuse_value(origins, "calibre_radius_head", o.calibre_radius_head, "needs --nose ogival");
     if (origins.contains("nose_length_mm"))
-      refuse_number("calibre_radius_head", o.calibre_radius_head, "contradicts nose_length_mm: give one of them");
+      refuse_value(origins, "calibre_radius_head", o.calibre_radius_head,
+                   "contradicts nose_length_mm: give one of them");
     if (!(o.calibre_radius_head > 0.5))
-      refuse_number("calibre_radius_head", o.calibre_radius_head, "must exceed 0.5, a hemisphere");
+      refuse_value(origins, "calibre_radius_head", o.calibre_radius_head, "must exceed 0.5, a hemisphere");
     o.nose_length_mm = o.diameter_mm * std::sqrt(o.calibre_radius_head - 0.25);
     o.calibre_radius_head = 0;
   } else if (!origins.contains("nose_length_mm"))
     o.nose_length_mm = default_nose_length_mm(o);
   if (!is_pointed(o) && o.nose_length_mm != 0)
-    refuse_number("nose_length_mm", o.nose_length_mm, "needs --nose conical or --nose ogival");
+    refuse_value(origins, "nose_length_mm", o.nose_length_mm, "needs --nose conical or --nose ogival");
   if (o.nose == Nose::conical && !(o.nose_length_mm > 0))
-    refuse_number("nose_length_mm", o.nose_length_mm, "must be positive");
+    refuse_value(origins, "nose_length_mm", o.nose_length_mm, "must be positive");
   if (o.nose == Nose::ogival && !(o.nose_length_mm > radius_mm))
-    refuse_number("nose_length_mm", o.nose_length_mm,
-                  "must exceed the radius of an ogive, " + options::shortest(radius_mm) + " mm");
+    refuse_value(origins, "nose_length_mm", o.nose_length_mm,
+                 "must exceed the radius of an ogive, " + options::shortest(radius_mm) + " mm");
 
   if (o.edge_radius_mm != 0 && o.nose != Nose::blunt)
-    refuse_number("edge_radius_mm", o.edge_radius_mm, "needs --nose blunt");
+    refuse_value(origins, "edge_radius_mm", o.edge_radius_mm, "needs --nose blunt");
   if (o.edge_radius_mm > std::min(o.diameter_mm / 8, 2 * o.spacing_mm))
-    refuse_number("edge_radius_mm", o.edge_radius_mm,
-                  "must be at most an eighth of the diameter, " + options::shortest(o.diameter_mm / 8) +
-                      " mm, and twice the particle distance, " + options::shortest(2 * o.spacing_mm) + " mm");
+    refuse_value(origins, "edge_radius_mm", o.edge_radius_mm,
+                 "must be at most an eighth of the diameter, " + options::shortest(o.diameter_mm / 8) +
+                     " mm, and twice the particle distance, " + options::shortest(2 * o.spacing_mm) + " mm");
 
   if (!origins.contains("length_mm")) o.length_mm = default_length_mm(o);
   const double shank_mm = shape_of(o).shank_length * 1e3;
   if (!(shank_mm >= 0.1 * o.diameter_mm))
-    refuse_number("length_mm", o.length_mm,
-                  "must be " + options::shortest(std::ceil(10 * (o.length_mm - shank_mm + 0.1 * o.diameter_mm)) / 10) +
-                      " mm or more: nose and a shank of a tenth of the diameter");
+    refuse_value(origins, "length_mm", o.length_mm,
+                 "must be " + options::shortest(std::ceil(10 * (o.length_mm - shank_mm + 0.1 * o.diameter_mm)) / 10) +
+                     " mm or more: nose and a shank of a tenth of the diameter");
 }
 
 } // namespace shot

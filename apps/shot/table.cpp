@@ -3,7 +3,7 @@
 
 #include "materials/library.hpp"
 #include "materials/material_keys.hpp"
-#include "options/nearest.hpp"
+#include "options/text.hpp"
 
 #include <thread>
 
@@ -83,9 +83,9 @@ void add_plate(Table &t, Options &o) {
     for (const Given &one : entries_given(given)) o.layer_materials.push_back(material_given(one));
   };
   layers.toml = [&o] {
-    std::string text;
-    for (const auto &name : o.layer_materials) text += (text.empty() ? "[" : ", ") + options::toml_string(name);
-    return text.empty() ? "" : text + "]";
+    std::vector<std::string> names;
+    for (const auto &name : o.layer_materials) names.push_back(options::toml_string(name));
+    return names.empty() ? "" : "[" + options::joined(names) + "]";
   };
   add(t, o.clamp_radius_mm, {.key = "clamp_radius_mm", .meaning = "radius at which the plate is clamped",
       .source = "tests", .limits = {1, 5000, "mm"}});

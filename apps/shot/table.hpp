@@ -5,9 +5,6 @@
 
 #include "options/table.hpp"
 
-#include <algorithm>
-#include <array>
-
 /// \file
 /// The table of the options of a shot, and the names of their choices.
 
@@ -22,34 +19,30 @@ inline auto choices(Nose) {
   return noses;
 }
 constexpr auto choices(Extent) {
-  return std::to_array<options::Choice<Extent>>(
-      {{Extent::quarter, "quarter"}, {Extent::half, "half"}, {Extent::full, "full"}});
+  return options::named<Extent>({{Extent::quarter, "quarter"}, {Extent::half, "half"}, {Extent::full, "full"}});
 }
 constexpr auto choices(Lattice) {
-  return std::to_array<options::Choice<Lattice>>({{Lattice::cubic, "cubic"}, {Lattice::ring, "ring"}});
+  return options::named<Lattice>({{Lattice::cubic, "cubic"}, {Lattice::ring, "ring"}});
 }
 constexpr auto choices(PressureLaw) {
-  return std::to_array<options::Choice<PressureLaw>>(
-      {{PressureLaw::linear, "linear"}, {PressureLaw::mie_gruneisen, "mie_gruneisen"}});
+  return options::named<PressureLaw>({{PressureLaw::linear, "linear"}, {PressureLaw::mie_gruneisen, "mie_gruneisen"}});
 }
 constexpr auto choices(Method) {
-  return std::to_array<options::Choice<Method>>(
+  return options::named<Method>(
       {{Method::sfm, "sfm"}, {Method::stabilised, "stabilised"}, {Method::adaptive, "adaptive"}});
 }
 constexpr auto choices(DamageLaw) {
-  return std::to_array<options::Choice<DamageLaw>>(
+  return options::named<DamageLaw>(
       {{DamageLaw::none, "none"}, {DamageLaw::johnson_cook, "jc"}, {DamageLaw::cockcroft_latham, "cockcroft_latham"}});
 }
 constexpr auto choices(LengthScope) {
-  return std::to_array<options::Choice<LengthScope>>(
-      {{LengthScope::everywhere, "everywhere"}, {LengthScope::in_shear, "in_shear"}});
+  return options::named<LengthScope>({{LengthScope::everywhere, "everywhere"}, {LengthScope::in_shear, "in_shear"}});
 }
 constexpr auto choices(DamagePressure) {
-  return std::to_array<options::Choice<DamagePressure>>(
-      {{DamagePressure::own, "own"}, {DamagePressure::neighbours, "neighbours"}});
+  return options::named<DamagePressure>({{DamagePressure::own, "own"}, {DamagePressure::neighbours, "neighbours"}});
 }
 constexpr auto choices(FailureEffect) {
-  return std::to_array<options::Choice<FailureEffect>>(
+  return options::named<FailureEffect>(
       {{FailureEffect::none, "none"}, {FailureEffect::no_tension, "no_tension"}, {FailureEffect::removal, "removal"}});
 }
 
@@ -58,28 +51,39 @@ constexpr auto choices(FailureEffect) {
 namespace shot {
 
 constexpr auto choices(ProjectileKind) {
-  return std::to_array<options::Choice<ProjectileKind>>(
-      {{ProjectileKind::deformable, "deformable"}, {ProjectileKind::rigid, "rigid"}});
+  return options::named<ProjectileKind>({{ProjectileKind::deformable, "deformable"}, {ProjectileKind::rigid, "rigid"}});
 }
 constexpr auto choices(SphForm) {
-  return std::to_array<options::Choice<SphForm>>(
-      {{SphForm::renormalised, "renormalised"}, {SphForm::standard, "standard"}});
+  return options::named<SphForm>({{SphForm::renormalised, "renormalised"}, {SphForm::standard, "standard"}});
 }
 constexpr auto choices(SphKernel) {
-  return std::to_array<options::Choice<SphKernel>>(
+  return options::named<SphKernel>(
       {{SphKernel::cubic_spline, "cubic_spline"}, {SphKernel::wendland_c2, "wendland_c2"}});
 }
 constexpr auto choices(Smoothing) {
-  return std::to_array<options::Choice<Smoothing>>(
-      {{Smoothing::constant, "constant"}, {Smoothing::variable, "variable"}});
+  return options::named<Smoothing>({{Smoothing::constant, "constant"}, {Smoothing::variable, "variable"}});
 }
 constexpr auto choices(ElementRule) {
-  return std::to_array<options::Choice<ElementRule>>(
+  return options::named<ElementRule>(
       {{ElementRule::one_point, "one_point"}, {ElementRule::selective_reduced, "selective_reduced"}});
 }
 
 /// Name of a choice, as the user writes it.
 template <class E> std::string name_of(E value) { return options::name_in(choices(value), value); }
+
+/// Refuses the value of a key, with where it was given. Throws SetupError.
+template <class V>
+[[noreturn]] void refuse_value(const options::Origins &origins, const char *key, const V &value,
+                               const std::string &allowed) {
+  std::string text;
+  if constexpr (std::is_enum_v<V>)
+    text = name_of(value);
+  else if constexpr (std::is_arithmetic_v<V>)
+    text = options::shortest(static_cast<double>(value));
+  else
+    text = options::joined(value, ",");
+  options::refuse(options::origin_of(origins, key), text, allowed);
+}
 
 /// Group of the options that do not change the case.
 inline constexpr char run_group[] = "Run and output";

@@ -2,14 +2,8 @@
 #include "cases.hpp"
 
 #include "ogive/io/csv_rows.hpp"
-#include "ogive/io/text.hpp"
-#include "options/nearest.hpp"
 #include "shot/table.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 namespace study {
@@ -21,12 +15,14 @@ using options::Given;
 
 constexpr std::size_t most_cases = 100000;
 
+constexpr char allowed_shard[] = "I/N with whole numbers 1 <= I <= N";
+
 /// The names of the columns that are no options.
 bool is_note(const std::string &column) { return column == "name" || column == "text"; }
 
 /// Throws unless this is an option of the case.
 void require_known(const options::Table &table, const std::string &key, const std::string &where) {
-  std::vector<std::string> known;
+  Texts known;
   for (const auto &option : table.options)
     if (option.group != shot::run_group || key == "end_us" || key == "settle_us" || key == "output_every_us")
       known.emplace_back(option.key);
@@ -36,17 +32,15 @@ void require_known(const options::Table &table, const std::string &key, const st
 }
 
 /// "200:400:25" as numbers; nothing unless it is a range.
-std::optional<std::vector<std::string>> range_of(const std::string &text) {
+std::optional<Texts> range_of(const std::string &text) {
   std::vector<double> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
-    const auto number = ogive::number_from(text.substr(begin, end - begin));
+  for (const std::string &part : options::split(text, ':')) {
+    const auto number = ogive::number_from(part);
     if (!number || !std::isfinite(*number)) return std::nullopt;
     parts.push_back(*number);
-    begin = end + 1;
   }
   if (parts.size() != 3 || !(parts[2] > 0) || parts[1] < parts[0]) return std::nullopt;
-  std::vector<std::string> values;
+  Texts values;
   const double count = std::floor((parts[1] - parts[0]) / parts[2] + 1e-9);
   for (double k = 0; k <= std::min(count, double(most_cases)); ++k)
     values.push_back(options::shortest(std::round((parts[0] + k * parts[2]) * 1e9) / 1e9));
@@ -79,23 +73,20 @@ struct ListedCase {
 
 struct List {
   std::vector<ListedCase> cases;
-  std::vector<std::string> columns;
+  Texts columns;
 };
 
 List read_list(const options::Table &table, const std::string &file) {
-  std::ifstream in(file, std::ios::binary);
-  std::error_code none;
-  if (!in || !std::filesystem::is_regular_file(file, none))
-    throw SetupError(options::printable(file) + ": must be a CSV file of cases that can be read");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto text = options::text_in(file);
+  if (!text) throw SetupError(options::printable(file) + ": must be a CSV file of cases that can be read");
   List list;
-  ogive::for_each_csv_row(text, file, 100, [&](const ogive::CsvRow &row) {
+  ogive::for_each_csv_row(*text, file, 100, [&](const ogive::CsvRow &row) {
     const std::string place = ogive::place(file, row.line);
     if (list.columns.empty()) {
       list.columns = row.fields;
       for (const auto &column : list.columns)
         if (!is_note(column)) require_known(table, column, place);
-      if (std::set<std::string>(list.columns.begin(), list.columns.end()).size() != list.columns.size())
+      if (std::set(list.columns.begin(), list.columns.end()).size() != list.columns.size())
         throw SetupError(place + ": every column must have a name of its own");
       return;
     }
@@ -117,15 +108,9 @@ List read_list(const options::Table &table, const std::string &file) {
   return list;
 }
 
-/// A column of the list as the rows have it.
-std::string row_column(const std::string &column) {
-  return column == "velocity_mps" ? key_columns()[velocity_column] : column;
-}
-
 } // namespace
 
-CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<std::string> &csv,
-                  const std::vector<std::string> &varied) {
+CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<std::string> &csv, const Texts &varied) {
   shot::Options any;
   const options::Table table = shot::table_of(any);
   List list;
@@ -143,14 +128,9 @@ CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<st
   }
 
   CaseList all;
-  for (const std::string &column : list.columns) {
-    const std::string name = row_column(column);
-    const auto &keys = key_columns();
-    if (is_note(column) || std::find(keys.begin(), keys.end(), name) != keys.end() ||
-        std::find(all.own_columns.begin(), all.own_columns.end(), name) != all.own_columns.end())
-      continue;
-    all.own_columns.push_back(name);
-  }
+  std::set<std::string> known(key_columns().begin(), key_columns().end());
+  for (const std::string &column : list.columns)
+    if (!is_note(column) && column != "velocity_mps" && known.insert(column).second) all.own_columns.push_back(column);
   std::set<std::string> names;
   std::set<Key> keys;
   for (const ListedCase &one : list.cases)
@@ -183,11 +163,10 @@ void add_study_options(options::Table &t, StudyOptions &o) {
   options::add(t, o.jobs, {.key = "jobs", .meaning = "shots at a time; they share the cores",
       .source = "as many as cores: one core a shot is the best use of a machine", .brief = "shots at a time",
       .limits = {1, 1000, ""}, .in_file = false});
-  options::Option &shard = options::add( t, o.shard, {.key = "shard",
+  options::add(t, o.shard, {.key = "shard",
       .meaning = "run only the I-th of N parts of the study, for several machines; the shots of one limit stay "
       "together; draws nothing", .source = "1/1: all", .brief = "run only the I-th of N parts",
-      .allowed = "I/N with whole numbers 1 <= I <= N", .in_file = false});
-  shard.placeholder = "I/N";
+      .allowed = allowed_shard, .in_file = false}).placeholder = "I/N";
   options::add(t, o.run, {.key = "run", .meaning = "run what is missing; --no-run draws only what is known",
       .source = "yes: ours", .in_file = false});
 }
@@ -196,13 +175,12 @@ void add_study_options(options::Table &t, StudyOptions &o) {
 Study study_of(const StudyOptions &o, const std::filesystem::path &out) {
   Study study{.out = out};
   study.jobs = o.jobs > 0 ? o.jobs : cores();
-  const std::size_t slash = o.shard.find('/');
-  const auto part = ogive::number_from(o.shard.substr(0, slash)),
-             parts = slash == std::string::npos ? std::nullopt : ogive::number_from(o.shard.substr(slash + 1));
-  if (!part || !parts || *part != std::floor(*part) || *parts != std::floor(*parts) || *part < 1 ||
-      !(*part <= *parts) || *parts > 10000)
-    options::refuse("--shard", o.shard, "must be I/N with whole numbers 1 <= I <= N");
-  study.shard = static_cast<int>(*part), study.shards = static_cast<int>(*parts);
+  std::vector<double> parts;
+  for (const std::string &part : options::split(o.shard, '/')) parts.push_back(ogive::number_from(part).value_or(0));
+  if (parts.size() != 2 || parts[0] != std::floor(parts[0]) || parts[1] != std::floor(parts[1]) || parts[0] < 1 ||
+      !(parts[0] <= parts[1]) || parts[1] > 10000)
+    options::refuse("--shard", o.shard, std::string("must be ") + allowed_shard);
+  study.shard = static_cast<int>(parts[0]), study.shards = static_cast<int>(parts[1]);
   return study;
 }
 

@@ -5,10 +5,6 @@
 
 #include "options/command_line.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 /// \file
 /// Lists of cases, and the options that all studies have.
 
@@ -17,15 +13,14 @@ namespace study {
 /// The cases of a study and the columns of their key besides key_columns().
 struct CaseList {
   std::vector<Case> cases;
-  std::vector<std::string> own_columns;
+  Texts own_columns;
 };
 
 /// The cases of a CSV file and of --vary: `common` options, then those of a row, then each combination of the varied
 /// ones ("thickness_mm=6,8", "velocity_mps=200:400:25"). Columns are names of options; an empty field leaves the option
 /// to `common`; `name` is that of the shot's folder, and it and `text` are kept for the reader. Throws SetupError that
 /// names file, line and column.
-CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<std::string> &csv,
-                  const std::vector<std::string> &varied);
+CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<std::string> &csv, const Texts &varied);
 
 /// What a user can choose of every study.
 struct StudyOptions {

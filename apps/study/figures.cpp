@@ -8,10 +8,6 @@
 #include "shot/experiment.hpp"
 #include "shot/table.hpp"
 
-#include "ogive/io/text.hpp"
-
-#include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 namespace study {
@@ -23,16 +19,10 @@ using options::Given;
 constexpr double bracket_width_mps = 5;
 
 /// The methods whose curves the figures show, the paper's first.
-const std::vector<std::string> methods{"sfm", "stabilised", "adaptive"};
-
-std::string figures_of(const Figures &figures) {
-  std::string text;
-  for (const int figure : figures.figures) text += (text.empty() ? "" : ", ") + std::to_string(figure);
-  return text;
-}
+const Texts methods{"sfm", "stabilised", "adaptive"};
 
 /// An option with some texts to choose from.
-void add_choice(options::Table &t, std::string &value, const options::Entry &entry, std::vector<std::string> names) {
+void add_choice(options::Table &t, std::string &value, const options::Entry &entry, const Texts &names) {
   options::Option &option = options::add(t, value, entry);
   option.names = names;
   option.placeholder = "NAME";
@@ -47,8 +37,8 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
   options::Table t;
   options::Option &figure = options::add(t, o.figure, {.key = "figure", .meaning = "this one alone",
       .source = "all: ours", .brief = "this one alone", .limits = {1, 99, ""}});
-  figure.allowed_text = "one of " + figures_of(figures);
-  figure.range = ", of " + figures_of(figures);
+  figure.allowed_text = "one of " + options::joined(figures.figures);
+  figure.range = ", of " + options::joined(figures.figures);
   figure.assign = [&o, list = figures.figures, allowed = figure.allowed_text](const Given &given) {
     const auto number = number_given(given);
     if (!number || *number != static_cast<int>(*number)) refuse(given, "must be a whole number, " + allowed);
@@ -57,20 +47,12 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
   };
   options::add(t, o.quick, {.key = "quick", .meaning = "coarse: particles 1.5 mm apart, in vtk_out/figures_quick",
       .source = "no: ours", .brief = "coarse: particles 1.5 mm apart"});
-  add_choice(t, o.method,
-             {.key = "method",
-              .meaning = "adds its curves to the plots, with mjc only",
-              .source = "paper",
-              .brief = "sfm, stabilised or adaptive",
-              .allowed = "one of sfm, stabilised, adaptive"},
-             methods);
-  add_choice(t, o.model,
-             {.key = "model",
-              .meaning = "flow stress, mjc, jc or both; pictures have mjc only",
-              .source = "ours",
-              .brief = "flow stress: mjc, jc or both",
-              .allowed = "mjc, jc or both"},
-             {"mjc", "jc", "both"});
+  add_choice(t, o.method, {.key = "method", .meaning = "adds its curves to the plots, with mjc only",
+      .source = "paper", .brief = "sfm, stabilised or adaptive", .allowed = "one of sfm, stabilised, adaptive"},
+      methods);
+  add_choice(t, o.model, {.key = "model", .meaning = "flow stress, mjc, jc or both; pictures have mjc only",
+      .source = "ours", .brief = "flow stress: mjc, jc or both", .allowed = "mjc, jc or both"},
+      {"mjc", "jc", "both"});
   options::add(t, o.spacing_mm, {.key = "spacing_mm", .meaning = "particle distance", .source = "paper",
       .brief = "particle distance", .limits = {0.05, 5, "mm"}});
   options::add(t, o.limits, {.key = "limits", .meaning = "bisect the ballistic limits", .source = "ours"});
@@ -121,12 +103,10 @@ int run(const Figures &figures, const options::Arguments &arguments) {
       .purpose = figures.purpose + "\nShots that have a row in OUT/shots*.csv are not run again; one that was stopped "
                                    "resumes from its checkpoint.\n",
       .usage = "[options]"};
-  const auto line = options::read_command_line(command, table, arguments, std::cout);
+  const auto line = options::read_values(command, table, arguments, std::cout);
   if (!line) return options::success;
-  options::Origins origins;
-  for (const Given &given : line->given) options::apply(table, origins, given);
-  if (o.quick && !origins.contains("spacing_mm")) o.spacing_mm = 1.5;
-  if (o.quick && !origins.contains("out")) o.out = "vtk_out/figures_quick";
+  if (o.quick && line->find("spacing_mm") == nullptr) o.spacing_mm = 1.5;
+  if (o.quick && line->find("out") == nullptr) o.out = "vtk_out/figures_quick";
 
   const Study study = study_of(s, o.out);
   const auto shots = listed_shots(figures, o);
@@ -155,14 +135,13 @@ std::vector<FigureShot> listed_shots(const Figures &figures, const FigureOptions
       // Figs. 9 and 13 are the limits of the plates of Figs. 6 and 12.
       const bool limits_too = !picture && o.figure != 0 && o.figure == (figure == 6 ? 9 : figure == 12 ? 13 : -1);
       if (o.figure != 0 && o.figure != figure && !limits_too) continue;
+      const bool frames = o.pictures && !row[8].empty();
       std::vector<Given> given;
-      const auto give = [&](const char *key, const std::string &value) {
+      const auto give = [&](const std::string &key, const std::string &value) {
         given.push_back({key, file.string() + ": " + key, value});
       };
       give("method", o.method), give("model", model), give("material", row[4]), give("nose", row[5]);
-      give("thickness_mm", row[6]), give("velocity_mps", row[7]);
-      give("spacing_mm", options::shortest(o.spacing_mm));
-      const bool frames = o.pictures && !row[8].empty();
+      give("thickness_mm", row[6]), give("velocity_mps", row[7]), give("spacing_mm", options::shortest(o.spacing_mm));
       give("vtk", frames ? "true" : "false");
       if (frames) give("output_every_us", row[8]);
       shots.push_back({figure, picture, case_of(shot::settled({{given}}), {}, "")});
@@ -189,19 +168,18 @@ std::vector<Case> cases_in(const std::vector<FigureShot> &shots) {
 }
 
 std::vector<Case> share_of_series(const std::vector<Case> &all, const Study &study) {
-  std::vector<Key> series, mine;
-  for (const Case &shot : all)
-    if (const Key key = series_key(shot.key); std::find(series.begin(), series.end(), key) == series.end())
-      series.push_back(key);
-  mine = share_of(series, study);
-  std::vector<Case> cases;
-  for (const Case &shot : all)
-    if (std::find(mine.begin(), mine.end(), series_key(shot.key)) != mine.end()) cases.push_back(shot);
-  return cases;
+  std::vector<Key> series;
+  std::vector<Case> mine;
+  for (const Case &shot : all) {
+    auto place = std::find(series.begin(), series.end(), series_key(shot.key));
+    if (place == series.end()) place = series.insert(place, series_key(shot.key));
+    if ((place - series.begin()) % study.shards == study.shard - 1) mine.push_back(shot);
+  }
+  return mine;
 }
 
 int run_figures(const Figures &figures, const options::Arguments &arguments) {
-  return options::run_main(figures.name.c_str(), [&] { return run(figures, arguments); });
+  return options::run_main(figures.name, [&] { return run(figures, arguments); });
 }
 
 } // namespace study

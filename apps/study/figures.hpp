@@ -5,9 +5,6 @@
 
 #include "options/command_line.hpp"
 
-#include <string>
-#include <vector>
-
 /// \file
 /// The programs of the paper's figures: studies with lists that are in apps/data/figure_shots.csv.
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "finish.hpp"
 
-#include "lock.hpp"
 #include "options/exit_status.hpp"
 #include "options/out_folder.hpp"
 #include "shot/run.hpp"
 #include "shot/signals.hpp"
 
 #include "ogive/io/atomic_file.hpp"
-
-#include <cstdio>
 
 namespace study {
 
@@ -22,6 +19,32 @@ void say(const std::string &line) {
 
 } // namespace
 
+StudyLock lock_study(const Study &study) {
+  using options::FolderLock;
+  const auto locked = [&](const std::string &name, FolderLock::Kind kind, const std::string &part) {
+    return std::make_unique<FolderLock>(study.out / name, kind,
+                                        "another process works on this study" + part +
+                                            "; wait for its end, or give another folder");
+  };
+  StudyLock lock;
+  if (study.shards == 1) {
+    lock.push_back(locked(".lock", FolderLock::exclusive, ""));
+    return lock;
+  }
+  lock.push_back(locked(".lock", FolderLock::shared, ", without --shard"));
+  const std::string parts = ".lock_of_", own = parts + std::to_string(study.shards), shard = "_shard_";
+  const std::string other_number = ", in another number of shards";
+  lock.push_back(locked(own, FolderLock::shared, other_number));
+  // Shards of another number overlap with this one.
+  for (const auto &entry : std::filesystem::directory_iterator(study.out)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(parts) && name != own && name.find(shard) == std::string::npos)
+      locked(name, FolderLock::exclusive, other_number);
+  }
+  lock.push_back(locked(own + shard + std::to_string(study.shard), FolderLock::exclusive, ", on the same shard"));
+  return lock;
+}
+
 int run_study(const char *program, const Study &study, bool runs, const std::function<Outcome(const Report &)> &run,
               const std::function<void()> &draw) {
   if (!runs && read_all_rows(study.out, study.own_columns).empty())
@@ -33,8 +56,7 @@ int run_study(const char *program, const Study &study, bool runs, const std::fun
     const StudyLock lock = lock_study(study);
     const shot::SignalCatcher catcher;
     all = run(say);
-    std::printf("%d shots run, %d known before, %zu failed\n", all.run, all.known, all.failed.size());
-    std::fflush(stdout);
+    say(options::printed("%d shots run, %d known before, %zu failed", all.run, all.known, all.failed.size()));
     for (const std::string &line : all.failed) std::fprintf(stderr, "%s: failed: %s\n", program, line.c_str());
   }
   if (all.stopped_by != 0) {
@@ -52,7 +74,7 @@ std::string rows_shown(const std::filesystem::path &out) {
 }
 
 std::vector<LimitRow> write_limits(const std::filesystem::path &file, const std::vector<Series> &series,
-                                   const std::vector<Row> &rows, const std::vector<std::string> &own_columns) {
+                                   const std::vector<Row> &rows, const Texts &own_columns) {
   auto limits = limits_in(series, rows);
   for (const LimitRow &row : limits) say(described(row, own_columns));
   if (!limits.empty()) ogive::write_atomically(file, limits_csv(limits, own_columns));

@@ -3,13 +3,21 @@
 
 #include "limits.hpp"
 
-#include <functional>
-#include <string>
+#include "options/folder_lock.hpp"
+
+#include <memory>
 
 /// \file
-/// What all programs that run a study do: run it, report, end.
+/// What all programs that run a study do: lock it, run it, report, end.
 
 namespace study {
+
+/// What keeps other processes from a study as long as it exists.
+using StudyLock = std::vector<std::unique_ptr<options::FolderLock>>;
+
+/// Locks a study, or the study's shard: processes may work on different shards if the number of shards is the same.
+/// Throws SetupError if another process is at work, WriteError if there can be no such files.
+[[nodiscard]] StudyLock lock_study(const Study &study);
 
 /// Runs the shots of a study, unless `runs` is false, and draws unless the study is a shard. `run` runs the shots and
 /// passes the report on. Prints a line for each shot and a sum, and each failure on standard error. Returns the exit
@@ -23,6 +31,6 @@ std::string rows_shown(const std::filesystem::path &out);
 
 /// Prints the limits that the rows give and writes them to `file`, if there are any. Throws WriteError.
 std::vector<LimitRow> write_limits(const std::filesystem::path &file, const std::vector<Series> &series,
-                                   const std::vector<Row> &rows, const std::vector<std::string> &own_columns);
+                                   const std::vector<Row> &rows, const Texts &own_columns);
 
 } // namespace study

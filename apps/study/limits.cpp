@@ -6,10 +6,6 @@
 #include "shot/experiment.hpp"
 #include "shot/projectile.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 namespace study {
 
 namespace {
@@ -46,6 +42,10 @@ std::string text_of(const std::optional<double> &value) { return value ? ogive::
 
 /// To a hundredth: what lies behind is noise.
 std::string rounded(double value) { return ogive::shortest(std::round(100 * value) / 100); }
+
+std::string error_of(const ogive::ParameterReport<double> &report) {
+  return report.standard_error ? rounded(*report.standard_error) : "";
+}
 
 std::string origin_of(const ogive::ParameterReport<double> &report) {
   using enum ogive::ParameterOrigin;
@@ -85,7 +85,7 @@ std::vector<Series> series_in(const std::vector<Case> &shots) {
   return all;
 }
 
-Case shot_of(const Series &series, double velocity_mps, const std::vector<std::string> &own_columns) {
+Case shot_of(const Series &series, double velocity_mps, const Texts &own_columns) {
   shot::Options options = series.options;
   const bool default_end = options.end_us == default_end_us(options);
   options.velocity_mps = velocity_mps;
@@ -95,24 +95,13 @@ Case shot_of(const Series &series, double velocity_mps, const std::vector<std::s
 }
 
 Published find_published(const shot::Options &o) {
-  Published p;
   const materials::LibraryMetal *metal = materials::find_library_metal(o.material);
-  if (metal == nullptr || !is_of_the_tests(o) || !o.layers_mm.empty()) return p;
-  const std::string nose(ogive::name(o.nose));
-  const auto same = [&](const std::vector<std::string> &row) {
-    const auto thickness = row.size() > 5 ? ogive::number_from(row[4]) : std::nullopt;
-    return thickness && std::abs(*thickness - o.thickness_mm) < 0.01 && row[2] == metal->test_name && row[3] == nose;
-  };
-  for (auto row : experiment::read_rows(experiment::data_folder() / "experiment_limits.csv")) {
-    row.insert(row.begin(), ""); // the columns then stand as in paper_simulations.csv
-    if (!same(row) || row.size() < 9) continue;
-    p.test_limit_mps = ogive::number_from(row[5]);
-    const double plug = nose == "blunt" ? experiment::plug_mass_kg(o.thickness_mm) : 0;
-    p.a = ogive::number_from(row[6]).value_or(experiment::projectile_mass_kg / (experiment::projectile_mass_kg + plug));
-    p.p = ogive::number_from(row[7]).value_or(2);
-  }
-  for (const auto &row : experiment::read_rows(experiment::data_folder() / "paper_simulations.csv"))
-    if (row[0] == "10" && same(row)) p.paper_velocity_mps = ogive::number_from(row[5]);
+  if (metal == nullptr || !is_of_the_tests(o) || !o.layers_mm.empty()) return {};
+  const experiment::Specimen tested{std::string(metal->test_name), std::string(ogive::name(o.nose)), o.thickness_mm};
+  Published p;
+  p.paper_velocity_mps = experiment::find_paper_velocity(tested);
+  if (const auto limit = experiment::find_limit(tested))
+    p.test_limit_mps = limit->limit_mps, p.a = limit->a, p.p = limit->p;
   return p;
 }
 
@@ -179,69 +168,56 @@ std::vector<LimitRow> limits_in(const std::vector<Series> &series, const std::ve
   return limits;
 }
 
-std::string limits_csv(const std::vector<LimitRow> &limits, const std::vector<std::string> &own_columns) {
-  std::string csv;
-  for (const auto &column : key_columns())
-    if (column != key_columns()[velocity_column]) csv += column + ",";
-  for (const auto &column : own_columns) csv += column + ",";
-  csv += "highest_stopped_mps,lowest_perforated_mps,"
-         "bisection_limit_mps,consistent,fit_limit_mps,fit_limit_se_mps,fit_a,fit_a_se,fit_a_origin,fit_p,"
-         "fit_p_se,fit_p_origin,fit_points,fit_rms_mps,test_limit_mps,paper_velocity_mps\n";
+std::string limits_csv(const std::vector<LimitRow> &limits, const Texts &own_columns) {
+  const auto line = [](Texts fields, const Texts &results) {
+    fields.erase(fields.begin() + velocity_column);
+    fields.insert(fields.end(), results.begin(), results.end());
+    return csv_line(fields);
+  };
+  Texts columns = key_columns();
+  columns.insert(columns.end(), own_columns.begin(), own_columns.end());
+  std::string csv = line(columns, options::split("highest_stopped_mps,lowest_perforated_mps,bisection_limit_mps,"
+                                                 "consistent,fit_limit_mps,fit_limit_se_mps,fit_a,fit_a_se,"
+                                                 "fit_a_origin,fit_p,fit_p_se,fit_p_origin,fit_points,fit_rms_mps,"
+                                                 "test_limit_mps,paper_velocity_mps",
+                                                 ','));
   for (const LimitRow &row : limits) {
-    for (std::size_t k = 0; k < row.key.values.size(); ++k)
-      if (k != velocity_column) csv += csv_field(row.key.values[k]) + ",";
-    csv += text_of(row.bracket.highest_stopped) + "," + text_of(row.bracket.lowest_perforated) + ",";
     const auto estimate = ogive::limit_estimate(row.bracket);
-    csv += (estimate ? ogive::shortest(estimate->limit) : "") + (row.bracket.consistent ? ",1," : ",0,");
+    Texts results{text_of(row.bracket.highest_stopped), text_of(row.bracket.lowest_perforated),
+                  estimate ? ogive::shortest(estimate->limit) : "", row.bracket.consistent ? "1" : "0"};
+    Texts fit(10);
     if (row.fit) {
       const auto &f = *row.fit;
-      const auto error = [](const ogive::ParameterReport<double> &r) {
-        return r.standard_error ? rounded(*r.standard_error) : "";
-      };
-      csv += rounded(f.curve.limit) + "," + error(f.limit) + "," + rounded(f.curve.a) + "," + error(f.a) + "," +
-             origin_of(f.a) + "," + rounded(f.curve.p) + "," + error(f.p) + "," + origin_of(f.p) + "," +
-             std::to_string(f.points) + "," + rounded(f.rms) + ",";
-    } else {
-      csv += ",,,,,,,,,,";
+      fit = {rounded(f.curve.limit),   error_of(f.limit),  rounded(f.curve.a), error_of(f.a),
+             origin_of(f.a),           rounded(f.curve.p), error_of(f.p),      origin_of(f.p),
+             std::to_string(f.points), rounded(f.rms)};
     }
-    csv += text_of(row.published.test_limit_mps) + "," + text_of(row.published.paper_velocity_mps) + "\n";
+    results.insert(results.end(), fit.begin(), fit.end());
+    results.push_back(text_of(row.published.test_limit_mps));
+    results.push_back(text_of(row.published.paper_velocity_mps));
+    csv += line(row.key.values, results);
   }
   return csv;
 }
 
-std::string described(const LimitRow &row, const std::vector<std::string> &own_columns) {
-  char text[240];
-  const auto &v = row.key.values;
+std::string described(const LimitRow &row, const Texts &own_columns) {
+  using options::printed;
+  const Texts &v = row.key.values;
   std::string line = (v[method_column] == "sfm" ? "" : v[method_column] + ", ") + v[model_column] + ", " +
                      v[material_column] + ", " + v[nose_column] + ", " + v[thickness_column] + " mm";
-  for (std::size_t k = 0; k < own_columns.size(); ++k)
-    line += ", " + own_columns[k] + " " + v[key_columns().size() + k];
-  line += ": ";
+  for (std::size_t k = key_columns().size(); k < v.size(); ++k) line += ", " + column_name(k, own_columns) + " " + v[k];
   const auto estimate = ogive::limit_estimate(row.bracket);
-  if (estimate) {
-    std::snprintf(text, sizeof text, "limit %.1f +- %.1f m/s by bisection", estimate->limit, estimate->half_width);
-    line += text;
-  } else {
-    line += "no limit by bisection yet";
-  }
+  line += estimate ? printed(": limit %.1f +- %.1f m/s by bisection", estimate->limit, estimate->half_width)
+                   : ": no limit by bisection yet";
   if (row.fit) {
     const auto &f = *row.fit;
-    std::snprintf(text, sizeof text, "; fit to %zu shots: %.1f", f.points, f.curve.limit);
-    line += text;
-    if (f.limit.standard_error) {
-      std::snprintf(text, sizeof text, " +- %.1f", *f.limit.standard_error);
-      line += text;
-    }
-    std::snprintf(text, sizeof text, " m/s, a %.2f, p %.2f", f.curve.a, f.curve.p);
-    line += text;
-    if (estimate) {
-      std::snprintf(text, sizeof text, ", %+.1f m/s from the bisection", f.curve.limit - estimate->limit);
-      line += text;
-    }
+    line += printed("; fit to %zu shots: %.1f", f.points, f.curve.limit) +
+            (f.limit.standard_error ? printed(" +- %.1f", *f.limit.standard_error) : "") +
+            printed(" m/s, a %.2f, p %.2f", f.curve.a, f.curve.p) +
+            (estimate ? printed(", %+.1f m/s from the bisection", f.curve.limit - estimate->limit) : "");
   }
   if (row.published.test_limit_mps) line += "; test " + ogive::shortest(*row.published.test_limit_mps) + " m/s";
-  if (!row.bracket.consistent) line += "; a shot stopped above one that perforated";
-  return line;
+  return line + (row.bracket.consistent ? "" : "; a shot stopped above one that perforated");
 }
 
 } // namespace study

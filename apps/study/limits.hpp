@@ -6,9 +6,6 @@
 #include "instances/fits.hpp"
 #include "ogive/perforation/limit_search.hpp"
 
-#include <optional>
-#include <vector>
-
 /// \file
 /// Ballistic limits: bisection on "perforated", and a curve through the residual velocities.
 
@@ -51,7 +48,7 @@ Series series_of(const Case &shot);
 std::vector<Series> series_in(const std::vector<Case> &shots);
 
 /// The shot of a series at a velocity.
-Case shot_of(const Series &series, double velocity_mps, const std::vector<std::string> &own_columns);
+Case shot_of(const Series &series, double velocity_mps, const Texts &own_columns);
 
 /// What is published about the limit of a case, from the tables of tests; nothing for plates and projectiles other than
 /// those of the tests. Throws SetupError for a damaged table.
@@ -70,9 +67,9 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
 std::vector<LimitRow> limits_in(const std::vector<Series> &series, const std::vector<Row> &rows);
 
 /// The limits as CSV, with a header.
-std::string limits_csv(const std::vector<LimitRow> &limits, const std::vector<std::string> &own_columns);
+std::string limits_csv(const std::vector<LimitRow> &limits, const Texts &own_columns);
 
 /// One line for the terminal: bisection, fit, and the difference between them.
-std::string described(const LimitRow &row, const std::vector<std::string> &own_columns);
+std::string described(const LimitRow &row, const Texts &own_columns);
 
 } // namespace study

@@ -4,22 +4,16 @@
 #include "draw/plot.hpp"
 
 #include "ogive/io/atomic_file.hpp"
-#include "ogive/io/text.hpp"
-#include "ogive/io/write_error.hpp"
 #include "shot/experiment.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
+#include <set>
 
 namespace study {
 
 namespace {
 
 namespace fs = std::filesystem;
-using ::draw::gnuplot_file;
-using ::draw::gnuplot_quoted;
+using experiment::Specimen;
 using ogive::shortest;
 
 /// Points to be plotted, x and y.
@@ -47,7 +41,7 @@ struct Look {
 
 /// One colour and symbol for each method and law, the same in all figures; the columns of the study's own follow in the
 /// title and change the colour.
-Look look_of(const Key &key, const std::vector<std::string> &own, std::size_t place) {
+Look look_of(const Key &key, const Texts &own, std::size_t place) {
   const std::string &method = key.values[method_column], &model = key.values[model_column];
   std::string title = "ogive, " + std::string(model == "mjc" ? "MJC" : "JC") + (method == "sfm" ? "" : ", " + method);
   std::string colour = method == "sfm"        ? (model == "mjc" ? "#c0392b" : "#2471a3")
@@ -55,44 +49,34 @@ Look look_of(const Key &key, const std::vector<std::string> &own, std::size_t pl
                                               : "#1e8449";
   constexpr std::array colours{"#c0392b", "#2471a3", "#1e8449", "#7d3c98", "#b9770e", "#34495e", "#16a085", "#922b21"};
   if (!own.empty()) colour = colours[place % colours.size()];
-  for (std::size_t k = 0; k < own.size(); ++k) title += ", " + own[k] + " " + key.values[key_columns().size() + k];
+  for (std::size_t k = key_columns().size(); k < key.values.size(); ++k)
+    title += ", " + column_name(k, own) + " " + key.values[k];
   return {title,
-          "with linespoints linecolor rgb '" + colour + "' linewidth 1.5 pointsize 0.9 pointtype " +
-              std::to_string(model == "mjc" ? 6 : 8),
+          "linespoints linecolor rgb '" + colour + "' linewidth 1.5 pointsize 0.9 pointtype " +
+              (model == "mjc" ? "6" : "8"),
           colour};
 }
 
-constexpr const char *measured_style = "with points linecolor rgb 'black' pointtype 7 pointsize 0.9";
+const Look measured{"test", "points linecolor rgb 'black' pointtype 7 pointsize 0.9"};
 
-/// One curve of a panel.
-std::string curve(const fs::path &file, const Look &look) {
-  return gnuplot_file(file) + " using 1:2 " + look.style + " title " + gnuplot_quoted(look.title);
+/// The name of a series' files: "sfm_mjc", with a number where the study has columns of its own.
+std::string file_part(const Key &key, const Texts &own, std::size_t place) {
+  return key.values[method_column] + "_" + key.values[model_column] +
+         (own.empty() ? "" : "_" + std::to_string(place + 1));
 }
 
-/// Plate and nose of a panel: what its shots share.
-struct Plate {
-  std::string metal, nose;
-  double thickness_mm = 0;
-  auto operator<=>(const Plate &) const = default;
-};
-Plate plate_of(const Key &key) {
+/// A curve through the first two columns of a file.
+draw::Curve curve(const fs::path &file, const Look &look) {
+  return {draw::gnuplot_columns(file, "1:2"), look.style, look.title};
+}
+
+/// What the shots of a panel share.
+Specimen specimen_of(const Key &key) {
   const std::string &material = key.values[material_column];
   return {material.starts_with("weldox")   ? "Weldox 460 E"
           : material.starts_with("aa5083") ? "AA5083-H116"
                                            : material,
           key.values[nose_column], number(key, thickness_column)};
-}
-
-/// Measured shots of a plate.
-Points measured_shots(const Plate &plate) {
-  Points points;
-  for (const auto &row : experiment::read_rows(experiment::data_folder() / "experiment_shots.csv")) {
-    if (row.size() < 6 || row[1] != plate.metal || row[2] != plate.nose) continue;
-    const auto thickness = ogive::number_from(row[3]), v = ogive::number_from(row[4]),
-               left = ogive::number_from(row[5]);
-    if (thickness && v && left && std::abs(*thickness - plate.thickness_mm) < 0.01) points.emplace_back(*v, *left);
-  }
-  return points;
 }
 
 /// Residual against initial velocity by a curve, up to `fastest` m/s.
@@ -117,15 +101,8 @@ Points residuals(const Key &key, const std::vector<Row> &rows) {
   return points;
 }
 
-/// Axes and grid of a panel.
-std::string axes(const std::string &x, const std::string &y, const std::string &title) {
-  return "set title " + gnuplot_quoted(title) + "; set xlabel " + gnuplot_quoted(x) + "; set ylabel " +
-         gnuplot_quoted(y) + "; ";
-}
-
-void draw(const std::string &commands, const fs::path &out, const std::string &name, int width, int height) {
-  for (const char *kind : {"svg", "png"})
-    ::draw::draw_with_gnuplot(commands, out / (name + "." + kind), {width, height});
+void draw_both(const std::string &commands, const fs::path &out, const std::string &name, draw::PictureSize size) {
+  for (const char *kind : {".svg", ".png"}) draw::draw_with_gnuplot(commands, out / (name + kind), size);
 }
 
 /// The column of the limits' abscissa: the first whose numbers differ, else the thickness.
@@ -142,110 +119,105 @@ std::size_t abscissa_of(const std::vector<LimitRow> &limits) {
 
 } // namespace
 
-bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const std::vector<Row> &rows,
-                    const std::vector<std::string> &own, const fs::path &out, bool with_fit) {
-  std::map<Plate, std::vector<const Series *>> panels;
+bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const std::vector<Row> &rows, const Texts &own,
+                    const fs::path &out, bool with_fit) {
+  std::map<Specimen, std::vector<const Series *>> panels;
   double slowest = 1e9, fastest = 300;
   for (const Series &one : series)
     if (const auto points = residuals(one.key, rows); !points.empty()) {
-      panels[plate_of(one.key)].push_back(&one);
+      panels[specimen_of(one.key)].push_back(&one);
       slowest = std::min(slowest, points.front().first);
       fastest = std::max(fastest, points.back().first);
     }
   if (panels.empty()) return false;
-  const int columns = panels.size() > 4 ? 3 : panels.size() > 3 ? 2 : static_cast<int>(panels.size());
-  const int lines = (static_cast<int>(panels.size()) + columns - 1) / columns;
+  const int count = static_cast<int>(panels.size()), columns = count > 4 ? 3 : count > 3 ? 2 : count;
+  const int lines = (count + columns - 1) / columns;
   // The axes of the paper, where they hold all points.
   const bool is_usual = slowest >= 100 && fastest <= 420;
   std::string commands =
-      "set multiplot layout " + std::to_string(lines) + "," + std::to_string(columns) + " title " +
-      gnuplot_quoted(plot.title) + "; set key left top reverse Left samplen 2 font ',12'; set xrange [" +
-      std::string(is_usual ? "100:420" : "*:*") + "]; set yrange [0:" + (is_usual ? "400" : "*") + "]; set grid; ";
+      options::printed("set multiplot layout %d,%d title ", lines, columns) + draw::gnuplot_quoted(plot.title) +
+      "; set key left top reverse Left samplen 2 font ',12'; " +
+      (is_usual ? "set xrange [100:420]; set yrange [0:400]; " : "set xrange [*:*]; set yrange [0:*]; ") + "set grid; ";
   int panel = 0;
-  for (const auto &[plate, members] : panels) {
-    const fs::path base = out / "plot_data" / (plot.name + "_" + std::to_string(++panel));
-    std::string title = shortest(plate.thickness_mm) + " mm " + plate.metal + ", " + plate.nose, curves;
-    const auto add = [&](const std::string &one) { curves += (curves.empty() ? "plot " : ", ") + one; };
-    const auto file = [&](const std::string &what) { return base.string() + "_" + what + ".csv"; };
+  for (const auto &[specimen, members] : panels) {
+    const std::string base = plot.name + "_" + std::to_string(++panel) + "_";
+    draw::Plot one{.title = shortest(specimen.thickness_mm) + " mm " + specimen.metal + ", " + specimen.nose,
+                   .x = "initial velocity, m/s",
+                   .y = "residual velocity, m/s"};
+    const auto add = [&](const Points &points, const std::string &what, const Look &look) {
+      one.curves.push_back(curve(written(points, out / "plot_data" / (base + what + ".csv")), look));
+    };
     const auto tested = std::find_if(members.begin(), members.end(),
-                                     [](const Series *one) { return one->published.test_limit_mps.has_value(); });
+                                     [](const Series *member) { return member->published.test_limit_mps.has_value(); });
     if (tested != members.end()) {
       const Published &published = (*tested)->published;
-      add(curve(written(points_of({published.a, published.p, *published.test_limit_mps}, std::max(420.0, fastest)),
-                        file("test_curve")),
-                {"Recht-Ipson, measured limit", "with lines linecolor rgb '#707070' dashtype 2 linewidth 1.5"}));
-      if (const auto shots = measured_shots(plate); !shots.empty())
-        add(curve(written(shots, file("tests")), {"test", measured_style}));
+      add(points_of({published.a, published.p, *published.test_limit_mps}, std::max(420.0, fastest)), "test_curve",
+          {"Recht-Ipson, measured limit", "lines linecolor rgb '#707070' dashtype 2 linewidth 1.5"});
+      Points tests;
+      for (const auto &shot : experiment::find_shots(specimen)) tests.emplace_back(shot.initial_mps, shot.residual_mps);
+      if (!tests.empty()) add(tests, "tests", measured);
     }
     for (std::size_t k = 0; k < members.size(); ++k) {
       const Key &key = members[k]->key;
-      const std::string what =
-          key.values[method_column] + "_" + key.values[model_column] + (own.empty() ? "" : "_" + std::to_string(k + 1));
       const Look look = look_of(key, own, k);
-      add(curve(written(residuals(key, rows), file(what)), look));
+      add(residuals(key, rows), file_part(key, own, k), look);
       if (const auto limits = with_fit ? limits_in({*members[k]}, rows) : std::vector<LimitRow>{};
           !limits.empty() && limits.front().fit)
-        add(curve(written(points_of(limits.front().fit->curve, fastest * 1.02), file(what + "_fit")),
-                  {"fit", "with lines linecolor rgb '" + look.colour + "' dashtype 3 linewidth 1.5"}));
+        add(points_of(limits.front().fit->curve, fastest * 1.02), file_part(key, own, k) + "_fit",
+            {"fit", "lines linecolor rgb '" + look.colour + "' dashtype 3 linewidth 1.5"});
     }
-    commands += axes("initial velocity, m/s", "residual velocity, m/s", title) + curves + "; ";
+    commands += commands_of(one) + "; ";
   }
-  draw(commands + "unset multiplot", out, plot.name, 520 * columns, 440 * lines + 40);
+  draw_both(commands + "unset multiplot", out, plot.name, {520 * columns, 440 * lines + 40});
   return true;
 }
 
-bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const std::vector<std::string> &own,
-                 const fs::path &out) {
+bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const Texts &own, const fs::path &out) {
   if (limits.empty()) return false;
   const std::size_t abscissa = abscissa_of(limits);
   std::map<Key, std::map<double, ogive::LimitEstimate<double>>> computed;
-  Points tests, paper;
+  std::set<std::pair<double, double>> tests, paper;
   double furthest = 0;
   for (const LimitRow &row : limits) {
     const double x = number(row.key, abscissa);
     furthest = std::max(furthest, x);
-    if (row.published.test_limit_mps) tests.emplace_back(x, *row.published.test_limit_mps);
-    if (row.published.paper_velocity_mps) paper.emplace_back(x, *row.published.paper_velocity_mps);
+    if (row.published.test_limit_mps) tests.emplace(x, *row.published.test_limit_mps);
+    if (row.published.paper_velocity_mps) paper.emplace(x, *row.published.paper_velocity_mps);
     Key curve_key = row.key;
     curve_key.values[abscissa].clear();
     // The metal of the weaker plate belongs to the same curve.
-    if (abscissa == thickness_column) curve_key.values[material_column] = plate_of(row.key).metal;
+    if (abscissa == thickness_column) curve_key.values[material_column] = specimen_of(row.key).metal;
     if (const auto estimate = ogive::limit_estimate(row.bracket)) computed[curve_key][x] = *estimate;
   }
   if (computed.empty()) return false;
-  const auto once = [](Points &points) {
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-  };
-  once(tests), once(paper);
   const fs::path base = out / "plot_data" / plot.name;
-  std::string curves;
-  const auto add = [&](const std::string &one) { curves += (curves.empty() ? "plot " : ", ") + one; };
-  if (!tests.empty()) add(curve(written(tests, base.string() + "_tests.csv"), {"test", measured_style}));
-  if (!paper.empty())
-    add(curve(written(paper, base.string() + "_paper.csv"),
-              {"paper, MJC: strike velocity close to its limit (Fig. 10)",
-               "with points linecolor rgb '#b9770e' pointtype 4 pointsize 1"}));
+  const std::string end = shortest(furthest * 1.1 + (abscissa == thickness_column ? 2 : 0));
+  draw::Plot one{.title = plot.title,
+                 .x = abscissa == thickness_column ? "plate thickness, mm" : column_name(abscissa, own),
+                 .y = "ballistic limit, m/s",
+                 .settings = "set key left top reverse Left; set grid; set yrange [0:*]; set xrange [0:" + end + "]"};
+  const auto add_published = [&](const std::set<std::pair<double, double>> &values, const char *name,
+                                 const Look &look) {
+    if (!values.empty())
+      one.curves.push_back(curve(written(Points(values.begin(), values.end()), base.string() + name), look));
+  };
+  add_published(tests, "_tests.csv", measured);
+  add_published(paper, "_paper.csv",
+                {"paper, MJC: strike velocity close to its limit (Fig. 10)",
+                 "points linecolor rgb '#b9770e' pointtype 4 pointsize 1"});
   std::size_t place = 0;
   for (const auto &[key, estimates] : computed) {
     std::string csv = "x,y,half_width\n";
     for (const auto &[x, estimate] : estimates)
-      csv += shortest(x) + "," + shortest(estimate.limit) + "," + shortest(estimate.half_width) + "\n";
+      csv += options::joined(std::array{x, estimate.limit, estimate.half_width}, ",") + "\n";
     const Look look = look_of(key, own, place);
-    const fs::path file =
-        written(csv, base.string() + "_" + key.values[method_column] + "_" + key.values[model_column] +
-                         (own.empty() ? "" : "_" + std::to_string(place + 1)) + ".csv");
+    const fs::path file = written(csv, base.string() + "_" + file_part(key, own, place) + ".csv");
+    one.curves.push_back(
+        {draw::gnuplot_columns(file, "1:2:3"), "yerrorbars linecolor rgb '" + look.colour + "' pointtype 0"});
+    one.curves.push_back(curve(file, look));
     ++place;
-    add(gnuplot_file(file) + " using 1:2:3 with yerrorbars linecolor rgb '" + look.colour + "' pointtype 0 notitle");
-    add(curve(file, look));
   }
-  const std::string x_title = abscissa == thickness_column      ? "plate thickness, mm"
-                              : abscissa < key_columns().size() ? key_columns()[abscissa]
-                                                                : own[abscissa - key_columns().size()];
-  const std::string commands = axes(x_title, "ballistic limit, m/s", plot.title) +
-                               "set key left top reverse Left; set grid; set yrange [0:*]; set xrange [0:" +
-                               shortest(furthest * 1.1 + (abscissa == thickness_column ? 2 : 0)) + "]; " + curves;
-  draw(commands, out, plot.name, 900, 600);
+  draw_both(commands_of(one), out, plot.name, {900, 600});
   return true;
 }
 

@@ -17,12 +17,11 @@ struct Plot {
 /// Residual against initial velocity, a panel for each plate and nose, with the tests where there are any and, where
 /// `with_fit`, the curve that fits each series. False if no shot is known. Throws WriteError.
 bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const std::vector<Row> &rows,
-                    const std::vector<std::string> &own_columns, const std::filesystem::path &out,
-                    bool with_fit = false);
+                    const Texts &own_columns, const std::filesystem::path &out, bool with_fit = false);
 
 /// Limits against thickness, or against the first other number that varies, each with a bar over what lies between the
 /// shots that bracket it. False if no limit is known. Throws WriteError.
-bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const std::vector<std::string> &own_columns,
+bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const Texts &own_columns,
                  const std::filesystem::path &out);
 
 } // namespace study

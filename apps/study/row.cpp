@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "row.hpp"
 
-#include "ogive/io/csv_rows.hpp"
-#include "ogive/io/text.hpp"
-#include "ogive/io/write_error.hpp"
 #include "shot/table.hpp"
 
+#include "ogive/io/atomic_file.hpp"
+#include "ogive/io/csv_rows.hpp"
+
 #include <nlohmann/json.hpp>
-
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <limits>
-#include <system_error>
 
 namespace study {
 
@@ -30,52 +18,23 @@ using ogive::SetupError;
 /// The results that are text come last.
 constexpr std::size_t text_results = 2;
 
-std::vector<std::string> all_columns(const std::vector<std::string> &own) {
-  std::vector<std::string> columns = key_columns();
-  columns.insert(columns.end(), own.begin(), own.end());
-  columns.insert(columns.end(), result_columns().begin(), result_columns().end());
-  return columns;
-}
+/// Results of one plate's shape, from plug_thickness_mm to most_temperature_K: a summary of several plates has none.
+constexpr std::size_t first_of_shape = 3, last_of_shape = 9;
 
-std::string line_of(const std::vector<std::string> &fields) {
-  std::string line;
-  for (const std::string &field : fields) line += (&field == &fields.front() ? "" : ",") + csv_field(field);
-  return line + "\n";
+Texts operator+(Texts a, const Texts &b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
 /// All of a file. Throws SetupError.
 std::string read_text(const fs::path &name) {
-  std::error_code none;
-  std::ifstream file(name, std::ios::binary);
-  if (!file || !fs::is_regular_file(name, none)) throw SetupError(name.string() + ": must be a file that can be read");
-  return {std::istreambuf_iterator<char>(file), {}};
+  auto text = options::text_in(name);
+  if (!text) throw SetupError(name.string() + ": must be a file that can be read");
+  return *text;
 }
 
-/// Writes all of the text at the end of an open file; returns errno or 0.
-int write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return ::fsync(file) == 0 ? 0 : errno;
-}
-
-/// Where the last whole line of a file ends: a process that was killed may have left part of one behind it.
-off_t end_of_lines(int file) {
-  off_t end = ::lseek(file, 0, SEEK_END);
-  for (char c = 0; end > 0; --end)
-    if (::pread(file, &c, 1, end - 1) == 1 && c == '\n') break;
-  return end;
-}
-
-/// True for the results of one plate's shape: of several plates a summary has none.
-bool is_of_shape(const std::string &column) {
-  constexpr std::array shape{"plug_thickness_mm",  "dishing_mm",         "kept_fraction",     "petal_height_mm",
-                             "band_temperature_K", "core_temperature_K", "most_temperature_K"};
-  return std::find(shape.begin(), shape.end(), column) != shape.end();
-}
+/// The whole lines of a text: a process that was killed may have left part of one behind them.
+void drop_half_line(std::string &text) { text.resize(text.rfind('\n') + 1); }
 
 /// The results that an undecided shot has not.
 bool is_of_verdict(const std::string &column) { return column == "residual_velocity_mps" || column == "perforated"; }
@@ -97,43 +56,29 @@ bool comes_before(const Row &a, const Row &b) {
 
 } // namespace
 
-const std::vector<std::string> &key_columns() {
-  static const std::vector<std::string> columns{
-      "method", "model", "material", "nose", "thickness_mm", "initial_velocity_mps", "spacing_mm"};
+const Texts &key_columns() {
+  static const Texts columns =
+      options::split("method,model,material,nose,thickness_mm,initial_velocity_mps,spacing_mm", ',');
   return columns;
 }
 
-const std::vector<std::string> &result_columns() {
-  static const std::vector<std::string> columns{"residual_velocity_mps",
-                                                "perforated",
-                                                "plug_mass_g",
-                                                "plug_thickness_mm",
-                                                "dishing_mm",
-                                                "kept_fraction",
-                                                "petal_height_mm",
-                                                "band_temperature_K",
-                                                "core_temperature_K",
-                                                "most_temperature_K",
-                                                "hourglass_fraction",
-                                                "energy_error",
-                                                "momentum_error",
-                                                "largest_intrusion_mm",
-                                                "particles",
-                                                "simulated_us",
-                                                "steps",
-                                                "wall_s",
-                                                "cpu_s",
-                                                "threads",
-                                                "state_hash",
-                                                "version"};
+const Texts &result_columns() {
+  static const Texts columns = options::split(
+      "residual_velocity_mps,perforated,plug_mass_g,plug_thickness_mm,dishing_mm,kept_fraction,petal_height_mm,"
+      "band_temperature_K,core_temperature_K,most_temperature_K,hourglass_fraction,energy_error,momentum_error,"
+      "largest_intrusion_mm,particles,simulated_us,steps,wall_s,cpu_s,threads,state_hash,version",
+      ',');
   return columns;
 }
 
-std::string csv_field(const std::string &text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+std::string csv_line(const Texts &fields) {
+  Texts quoted;
+  for (std::string field : fields) {
+    const bool plain = field.find_first_of(",\"\r\n") == std::string::npos;
+    for (std::size_t at = 0; (at = field.find('"', at)) != std::string::npos; at += 2) field.insert(at, 1, '"');
+    quoted.push_back(plain ? field : '"' + field + '"');
+  }
+  return options::joined(quoted, ",") + "\n";
 }
 
 double number(const Row &row, const char *column) {
@@ -145,17 +90,18 @@ double number(const Row &row, const char *column) {
 
 bool is_undecided(const Row &row) { return std::isnan(number(row, "perforated")); }
 
-double number(const Key &key, std::size_t column) {
-  return ogive::number_from(key.values[column]).value_or(std::numeric_limits<double>::quiet_NaN());
+double number(const Key &key, std::size_t column) { return ogive::number_from(key.values[column]).value_or(NAN); }
+
+const std::string &column_name(std::size_t column, const Texts &own_columns) {
+  const Texts &keys = key_columns();
+  return column < keys.size() ? keys[column] : own_columns[column - keys.size()];
 }
 
-Key key_of(const shot::Options &options, const std::vector<std::string> &own_columns) {
+Key key_of(const shot::Options &options, const Texts &own_columns) {
   shot::Options copy = options;
   const options::Table table = shot::table_of(copy);
   Key key;
-  std::vector<std::string> columns = key_columns();
-  columns.insert(columns.end(), own_columns.begin(), own_columns.end());
-  for (const std::string &column : columns) {
+  for (const std::string &column : key_columns() + own_columns) {
     const auto *option = options::find(table, column == "initial_velocity_mps" ? "velocity_mps" : column);
     key.values.push_back(option == nullptr ? "" : shown(*option));
   }
@@ -168,14 +114,14 @@ Row row_of(const Key &key, const nlohmann::ordered_json &json, const std::string
     if (!json.at("fault").is_null())
       throw SetupError(name + ": the run stopped: " + ogive::printable(json["fault"].at("what").get<std::string>()));
     for (const std::string &column : result_columns()) {
-      const bool is_left_out = is_of_shape(column) && !json.contains(column);
-      const auto value = is_left_out ? nlohmann::ordered_json(0.0) : json.at(column);
-      if (row.results.size() + text_results >= result_columns().size())
-        row.results.push_back(value.get<std::string>());
-      else if (value.is_null() && is_of_verdict(column))
-        row.results.push_back("");
-      else
-        row.results.push_back(value.is_boolean() ? (value.get<bool>() ? "1" : "0")
+      const std::size_t k = row.results.size();
+      const bool left_out = k >= first_of_shape && k <= last_of_shape && !json.contains(column);
+      const auto value = left_out ? nlohmann::ordered_json(0.0) : json.at(column);
+      const bool is_text = k + text_results >= result_columns().size();
+      const bool undecided = is_of_verdict(column) && value.is_null();
+      row.results.push_back(undecided            ? ""
+                            : is_text            ? value.get<std::string>()
+                            : value.is_boolean() ? (value.get<bool>() ? "1" : "0")
                                                  : ogive::shortest(value.get<double>()));
     }
   } catch (const nlohmann::json::exception &error) {
@@ -191,12 +137,12 @@ nlohmann::ordered_json read_summary(const fs::path &folder) {
   return json;
 }
 
-std::vector<Row> read_rows(const fs::path &file, const std::vector<std::string> &own_columns) {
+std::vector<Row> read_rows(const fs::path &file, const Texts &own_columns) {
   std::vector<Row> rows;
   if (!fs::exists(file)) return rows;
   std::string text = read_text(file);
-  text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
-  const auto columns = all_columns(own_columns);
+  drop_half_line(text);
+  const Texts columns = key_columns() + own_columns + result_columns();
   const std::size_t keys = key_columns().size() + own_columns.size();
   bool first = true;
   ogive::for_each_csv_row(text, file.string(), columns.size(), [&](const ogive::CsvRow &csv) {
@@ -220,7 +166,7 @@ std::vector<Row> read_rows(const fs::path &file, const std::vector<std::string> 
   return rows;
 }
 
-std::vector<Row> read_all_rows(const fs::path &folder, const std::vector<std::string> &own_columns) {
+std::vector<Row> read_all_rows(const fs::path &folder, const Texts &own_columns) {
   std::vector<Row> rows;
   std::error_code none;
   for (const auto &entry : fs::directory_iterator(folder, none)) {
@@ -230,22 +176,17 @@ std::vector<Row> read_all_rows(const fs::path &folder, const std::vector<std::st
     rows.insert(rows.end(), more.begin(), more.end());
   }
   std::sort(rows.begin(), rows.end(), comes_before);
-  rows.erase(std::unique(rows.begin(), rows.end(), [](const auto &a, const auto &b) { return a.key == b.key; }),
-             rows.end());
+  const auto same = [](const Row &a, const Row &b) { return a.key == b.key; };
+  rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
   return rows;
 }
 
-void append_row(const fs::path &file, const Row &row, const std::vector<std::string> &own_columns) {
-  const auto fail = [&](int error) { return ogive::write_error(file, std::generic_category().message(error)); };
-  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw fail(errno);
-  std::vector<std::string> fields = row.key.values;
-  fields.insert(fields.end(), row.results.begin(), row.results.end());
-  int error = ::ftruncate(descriptor, end_of_lines(descriptor)) == 0 ? 0 : errno;
-  const bool is_new = ::lseek(descriptor, 0, SEEK_END) == 0;
-  if (error == 0) error = write_all(descriptor, (is_new ? line_of(all_columns(own_columns)) : "") + line_of(fields));
-  ::close(descriptor);
-  if (error != 0) throw fail(error);
+void append_row(const fs::path &file, const Row &row, const Texts &own_columns) {
+  ogive::require_replaceable(file);
+  std::string text = fs::exists(file) ? read_text(file) : "";
+  drop_half_line(text);
+  if (text.empty()) text = csv_line(key_columns() + own_columns + result_columns());
+  ogive::write_atomically(file, text + csv_line(row.key.values + row.results));
 }
 
 const Row *find_row(const std::vector<Row> &rows, const Key &key) {

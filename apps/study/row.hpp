@@ -5,37 +5,36 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 /// \file
 /// A shot of a study and what is kept of it: one row of a CSV file.
 
 namespace study {
 
-/// What makes one shot of a study differ from another: option names, and the values as text. The first seven are those
-/// of every study; the velocity is last but one of them.
+/// Texts or names of columns.
+using Texts = std::vector<std::string>;
+
+/// What makes one shot of a study differ from another: the values of key_columns() and then of the study's own columns,
+/// as text.
 struct Key {
-  std::vector<std::string> values; ///< of key_columns() and then of the study's own columns
+  Texts values;
 
   auto operator<=>(const Key &) const = default;
 };
 
 /// The columns of every study: method, model, material, nose, thickness_mm, initial_velocity_mps, spacing_mm.
-const std::vector<std::string> &key_columns();
+const Texts &key_columns();
 
 /// Place of a column in Key::values.
 inline constexpr std::size_t method_column = 0, model_column = 1, material_column = 2, nose_column = 3,
                              thickness_column = 4, velocity_column = 5, spacing_column = 6;
 
 /// The columns of results, the numbers and then state_hash and version.
-const std::vector<std::string> &result_columns();
+const Texts &result_columns();
 
 /// A shot that has been run.
 struct Row {
   Key key;
-  std::vector<std::string> results; ///< of result_columns(), as text
+  Texts results; ///< of result_columns()
 };
 
 /// A result as a number; NaN where an undecided shot has none.
@@ -47,8 +46,11 @@ double number(const Key &key, std::size_t column);
 /// True for a shot that has no verdict: perforated and residual_velocity_mps are empty.
 bool is_undecided(const Row &row);
 
+/// The name of a column of the key.
+const std::string &column_name(std::size_t column, const Texts &own_columns);
+
 /// The key of a case in a study with these columns of its own.
-Key key_of(const shot::Options &options, const std::vector<std::string> &own_columns);
+Key key_of(const shot::Options &options, const Texts &own_columns);
 
 /// The row of a shot from its summary; of several plates the shape is 0. Throws SetupError if the summary reports a
 /// fault or lacks a result.
@@ -59,18 +61,18 @@ nlohmann::ordered_json read_summary(const std::filesystem::path &folder);
 
 /// The rows of a file; none if there is no such file. A last line without its end, of a process that was killed, is
 /// passed over. Throws SetupError for a file with other columns or damaged numbers.
-std::vector<Row> read_rows(const std::filesystem::path &file, const std::vector<std::string> &own_columns);
+std::vector<Row> read_rows(const std::filesystem::path &file, const Texts &own_columns);
 
 /// The rows of all files shots*.csv in a folder, shards included, each shot once, sorted by key.
-std::vector<Row> read_all_rows(const std::filesystem::path &folder, const std::vector<std::string> &own_columns);
+std::vector<Row> read_all_rows(const std::filesystem::path &folder, const Texts &own_columns);
 
 /// Adds a row at the end of a file, with a header if it is new, and has the disk confirm it. Throws WriteError.
-void append_row(const std::filesystem::path &file, const Row &row, const std::vector<std::string> &own_columns);
+void append_row(const std::filesystem::path &file, const Row &row, const Texts &own_columns);
 
 /// The row with this key; null if there is none.
 const Row *find_row(const std::vector<Row> &rows, const Key &key);
 
-/// A field of a CSV file, in quotation marks where it needs them.
-std::string csv_field(const std::string &text);
+/// A line of a CSV file, fields in quotation marks where they need them.
+std::string csv_line(const Texts &fields);
 
 } // namespace study

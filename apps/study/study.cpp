@@ -12,9 +12,6 @@
 #include <nlohmann/json.hpp>
 #include <omp.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -55,8 +52,8 @@ bool is_known(const Study &study, const Case &shot, const std::vector<Row> &rows
   return row != nullptr && is_final(*row, shot) && has_frames(study, shot);
 }
 
+/// Adds the row unless it is there, and reports it.
 void keep(Work &w, const Case &shot, const Row &row) {
-  const std::lock_guard lock(w.mutex);
   const auto same = [&](const Row &other) { return other.key == shot.key; };
   const auto earlier = std::find_if(w.rows.begin(), w.rows.end(), same);
   if (earlier == w.rows.end() || is_undecided(*earlier)) {
@@ -64,51 +61,41 @@ void keep(Work &w, const Case &shot, const Row &row) {
     if (earlier != w.rows.end()) w.rows.erase(earlier);
     w.rows.push_back(row);
   }
-  char text[300], residual[40] = "undecided";
-  if (!is_undecided(row)) std::snprintf(residual, sizeof residual, "%.1f m/s", number(row, "residual_velocity_mps"));
-  std::snprintf(text, sizeof text, "%.180s: %s, %.0f s, energy error %.3f %%", shot.name.c_str(), residual,
-                number(row, "wall_s"), 100 * number(row, "energy_error"));
-  w.report(text);
+  const std::string residual =
+      is_undecided(row) ? "undecided" : options::printed("%.1f m/s", number(row, "residual_velocity_mps"));
+  w.report(options::printed("%.180s: %s, %.0f s, energy error %.3f %%", shot.name.c_str(), residual.c_str(),
+                            number(row, "wall_s"), 100 * number(row, "energy_error")));
 }
 
-void note_failure(Work &w, const Case &shot, const std::string &reason) {
-  const std::lock_guard lock(w.mutex);
-  w.outcome.failed.push_back(shot.name + ": " + reason);
-  w.report("failed: " + w.outcome.failed.back());
-}
-
-/// The row that an earlier run of this very case left without a line in the file; false if there is none.
-bool keeps_earlier_row(Work &w, const Case &shot) {
+/// The row that an earlier run of this very case left without a line in the file.
+std::optional<Row> earlier_row(const Study &study, const Case &shot) {
   try {
-    if (!has_frames(w.study, shot)) return false;
-    const fs::path folder = folder_of(w.study, shot);
+    const fs::path folder = folder_of(study, shot);
+    if (!shot::other_case(shot.options) || !has_frames(study, shot)) return std::nullopt;
     const Row row = row_of(shot.key, read_summary(folder), (folder / "summary.json").string());
-    if (!is_final(row, shot)) return false;
-    keep(w, shot, row);
-    return true;
+    return is_final(row, shot) ? std::optional(row) : std::nullopt;
   } catch (const ogive::SetupError &) {
-    return false; // no summary, or one of a run that a fault ended
+    return std::nullopt; // no summary, or one of a run that a fault ended
   }
 }
 
-/// Runs one case, or finds that it needs no run.
+/// Runs one case, or finds that it needs no run. Throws where it fails.
 void run_case(Work &w, const Case &shot) {
-  const bool known = [&] {
-    const std::lock_guard lock(w.mutex);
-    return is_known(w.study, shot, w.rows);
-  }();
-  if (const std::string reason = conflict(w.study, shot); !reason.empty()) return note_failure(w, shot, reason);
-  if (known || (shot::other_case(shot.options) && keeps_earlier_row(w, shot))) {
-    const std::lock_guard lock(w.mutex);
-    ++w.outcome.known;
-    return;
+  std::unique_lock lock(w.mutex);
+  const bool known = is_known(w.study, shot, w.rows);
+  lock.unlock();
+  if (const std::string reason = conflict(w.study, shot); !reason.empty()) throw ogive::SetupError(reason);
+  std::optional<Row> row = known ? std::nullopt : earlier_row(w.study, shot);
+  const bool runs = !known && !row;
+  if (runs) {
+    const shot::Outcome outcome = shot::run(shot::resumed(shot.options).options, shot::Output::none);
+    if (outcome.shot.interrupted_by != 0) return;
+    if (outcome.status != options::success) throw ogive::SetupError(outcome.problem);
+    row = row_of(shot.key, shot::summary_of(shot.options, outcome.shot), shot.name);
   }
-  const shot::Outcome outcome = shot::run(shot::resumed(shot.options).options, shot::Output::none);
-  if (outcome.shot.interrupted_by != 0) return;
-  if (outcome.status != options::success) return note_failure(w, shot, outcome.problem);
-  keep(w, shot, row_of(shot.key, shot::summary_of(shot.options, outcome.shot), shot.name));
-  const std::lock_guard lock(w.mutex);
-  ++w.outcome.run;
+  lock.lock();
+  if (row) keep(w, shot, *row);
+  ++(runs ? w.outcome.run : w.outcome.known);
 }
 
 /// The next case with its folder, to be run without files that a study has no use for.
@@ -132,7 +119,9 @@ void work(Work &w) {
     try {
       run_case(w, *shot);
     } catch (const std::exception &error) {
-      note_failure(w, *shot, error.what());
+      const std::lock_guard lock(w.mutex);
+      w.outcome.failed.push_back(shot->name + ": " + error.what());
+      w.report("failed: " + w.outcome.failed.back());
     }
   }
 }
@@ -147,17 +136,17 @@ void add(Outcome &all, const Outcome &more) {
 
 int cores() { return std::max(1, omp_get_num_procs()); }
 
-std::string folder_name(const Key &key, const std::vector<std::string> &own_columns) {
+std::string folder_name(const Key &key, const Texts &own_columns) {
   const auto &v = key.values;
   std::string name = (v[method_column] == "sfm" ? "" : v[method_column] + "_") + v[model_column] + "_" +
                      fs::path(v[material_column]).stem().string() + "_" + v[nose_column] + "_" + v[thickness_column] +
                      "mm_" + v[velocity_column] + "mps_" + v[spacing_column] + "mm";
-  for (std::size_t k = 0; k < own_columns.size(); ++k) name += "_" + own_columns[k] + "=" + v[key_columns().size() + k];
+  for (std::size_t k = key_columns().size(); k < v.size(); ++k) name += "_" + column_name(k, own_columns) + "=" + v[k];
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
 }
 
-Case case_of(const shot::Options &options, const std::vector<std::string> &own_columns, const std::string &name) {
+Case case_of(const shot::Options &options, const Texts &own_columns, const std::string &name) {
   Case shot{options, name, key_of(options, own_columns)};
   if (name.empty()) shot.name = folder_name(shot.key, own_columns);
   return shot;

@@ -3,12 +3,6 @@
 
 #include "row.hpp"
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 /// \file
 /// Runs the shots of a study on threads of this process, several at a time, and keeps a row of each.
 
@@ -23,11 +17,11 @@ struct Case {
 
 /// Where and how the shots of a study are run.
 struct Study {
-  std::filesystem::path out;              ///< folder of the study: shots/ and the rows
-  std::vector<std::string> own_columns{}; ///< of the key, besides key_columns()
-  int jobs = 1;                           ///< shots at a time
-  std::optional<int> threads{};           ///< of each shot; unset: the shots share the cores
-  int shard = 1;                          ///< this process runs part `shard` of `shards`
+  std::filesystem::path out;    ///< folder of the study: shots/ and the rows
+  Texts own_columns{};          ///< of the key, besides key_columns()
+  int jobs = 1;                 ///< shots at a time
+  std::optional<int> threads{}; ///< of each shot; unset: the shots share the cores
+  int shard = 1;                ///< this process runs part `shard` of `shards`
   int shards = 1;
 };
 
@@ -50,11 +44,11 @@ using Report = std::function<void(const std::string &line)>;
 using NextCase = std::function<std::optional<Case>(const std::vector<Row> &rows)>;
 
 /// A case of a study: its key and the name of its folder by the columns.
-Case case_of(const shot::Options &options, const std::vector<std::string> &own_columns, const std::string &name);
+Case case_of(const shot::Options &options, const Texts &own_columns, const std::string &name);
 
 /// "mjc_weldox_460e_blunt_12mm_303.5mps_0.6mm", "_column=value" for each column of the study's own, and in front the
 /// method unless it is the paper's.
-std::string folder_name(const Key &key, const std::vector<std::string> &own_columns);
+std::string folder_name(const Key &key, const Texts &own_columns);
 
 /// The folder of a shot.
 std::filesystem::path folder_of(const Study &study, const Case &shot);

@@ -5,7 +5,7 @@
 #include "shot/projectile.hpp"
 
 #include "ogive/version.hpp"
-#include "options/nearest.hpp"
+#include "options/text.hpp"
 #include "shot/defaults.hpp"
 #include "shot/run.hpp"
 #include "shot/table.hpp"

@@ -150,8 +150,8 @@ TEST_CASE("a run that takes up another does so if that is the same case and has 
     std::vector<const char *> all{"--nose", "conical", "--no-vtk", "--out", out.c_str()};
     all.insert(all.end(), more.begin(), more.end());
     const std::string named = other.front();
-    CHECK(refusal(all) == "--resume = " + out +
-                              ": the checkpoint there cannot be resumed, it is of a run with another " + named +
+    const std::string what = named == "--model" ? "another metal" : "a run with another " + named;
+    CHECK(refusal(all) == "--resume = " + out + ": the checkpoint there cannot be resumed, it is of " + what +
                               "; give another --out, or leave --resume out to begin anew");
   }
   CHECK(with({"--end-us", "900", "--resume"}).restart);

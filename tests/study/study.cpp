@@ -6,7 +6,7 @@
 #include "io/temporary_folder.hpp"
 #include "ogive/io/write_error.hpp"
 #include "shot/signals.hpp"
-#include "study/lock.hpp"
+#include "study/finish.hpp"
 
 #include <csignal>
 #include <set>

@@ -4,15 +4,11 @@
 #include "options/out_folder.hpp"
 #include "results.hpp"
 
-#include <cstdio>
 #include <iostream>
 
 namespace commands {
 
-options::Table calibrate_table() {
-  calibrate::Options o;
-  return calibrate::table_of(o);
-}
+options::Table calibrate_table() { return unbound(calibrate::table_of); }
 
 int calibrate(const options::Arguments &arguments) {
   const auto o = calibrate::parse(arguments, std::cout);

@@ -6,7 +6,6 @@
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/version.hpp"
 
-#include <cctype>
 #include <set>
 
 namespace calibrate {
@@ -15,19 +14,16 @@ namespace {
 
 /// Names of the options without which there is no material.toml.
 std::string missing_options(const Options &o) {
-  std::string missing;
-  const auto need = [&](bool there, const char *flag) {
-    if (!there) missing += (missing.empty() ? "" : ", ") + std::string(flag);
-  };
-  need(o.young_GPa.has_value(), "--young-GPa");
-  need(o.poisson.has_value(), "--poisson");
-  need(o.density_kg_per_m3.has_value(), "--density-kg-per-m3");
-  need(o.specific_heat_J_per_kgK.has_value(), "--specific-heat-J-per-kgK");
-  return missing;
+  std::vector<std::string> missing;
+  if (!o.young_GPa) missing.emplace_back("--young-GPa");
+  if (!o.poisson) missing.emplace_back("--poisson");
+  if (!o.density_kg_per_m3) missing.emplace_back("--density-kg-per-m3");
+  if (!o.specific_heat_J_per_kgK) missing.emplace_back("--specific-heat-J-per-kgK");
+  return options::joined(missing);
 }
 
 template <class Law>
-materials::AnyMetal metal_with(const Options &o, Law flow, const std::string &name, const std::string &method) {
+materials::AnyMetal metal_with(const Options &o, const Law &flow, const std::string &name, const std::string &method) {
   ogive::Metal<double, Law> m;
   m.name = name.substr(0, 80);
   m.source = std::string("ogive calibrate ") + ogive::version + ", " + method + ", from";
@@ -47,9 +43,7 @@ materials::AnyMetal metal_with(const Options &o, Law flow, const std::string &na
 std::string write_material(const Options &o, const std::string &file, const ogive::Calibration &c, std::size_t h,
                            const char *method) {
   const std::string name = o.name + (c.hardenings.size() > 1 ? " " + c.hardenings[h] : "");
-  const auto metal = c.frame.form == ogive::FlowForm::modified
-                         ? metal_with(o, modified_law(c.hardening[h], c.C, c.b), name, method)
-                         : metal_with(o, classical_law(c.frame, c.hardening[h], c.C, c.b), name, method);
+  const auto metal = with_law(c, h, [&](const auto &law) { return metal_with(o, law, name, method); });
   const std::string text = materials::to_toml(metal, "Written by ogive calibrate; fit.json beside it holds the "
                                                      "uncertainties.");
   try {
@@ -59,13 +53,6 @@ std::string write_material(const Options &o, const std::string &file, const ogiv
   }
   ogive::write_atomically(o.out / file, text);
   return "";
-}
-
-/// A plate's name as part of a file's name.
-std::string file_part(std::string plate) {
-  for (char &c : plate)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
-  return plate;
 }
 
 } // namespace

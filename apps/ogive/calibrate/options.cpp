@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.hpp"
 
-#include <algorithm>
 #include <cctype>
 
 namespace calibrate {
@@ -46,14 +45,6 @@ void check(const Table &table, const Options &o, const Origins &origins) {
   need_above("rate_window_to", o.rate_window_to, "rate_window_from", o.rate_window_from, "");
   need_above("thermal_window_to", o.thermal_window_to, "thermal_window_from", o.thermal_window_from, "");
   need_above("leave_out_to_K", o.leave_out_to_K, "leave_out_from_K", o.leave_out_from_K, " K");
-}
-
-/// The first table's name as a name of a metal.
-std::string name_from(const std::filesystem::path &table) {
-  std::string name = table.stem().string().substr(0, 60);
-  for (char &c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
-  return name.empty() || name.front() == '.' ? "metal" : name;
 }
 
 const options::Command command{
@@ -145,6 +136,12 @@ Table table_of(Options &o) {
 }
 // clang-format on
 
+std::string file_part(std::string name) {
+  for (char &c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+  return name;
+}
+
 ogive::FlowForm form_of(const Options &o) {
   if (o.model == FlowModel::mjc) return ogive::FlowForm::modified;
   return o.rate_factor == RateTerm::power ? ogive::FlowForm::power : ogive::FlowForm::logarithmic;
@@ -163,7 +160,8 @@ std::optional<Options> parse(const options::Arguments &arguments, std::ostream &
   if (line->find("data") != nullptr) o.data.clear();
   for (const Given &given : line->given) apply(table, origins, given);
   check(table, o, origins);
-  if (o.name.empty()) o.name = name_from(o.data.front());
+  if (o.name.empty()) o.name = file_part(o.data.front().stem().string().substr(0, 60));
+  if (o.name.empty() || o.name.front() == '.') o.name = "metal";
   if (o.out.empty()) o.out = std::filesystem::path("calibration_out") / o.name;
   return o;
 }

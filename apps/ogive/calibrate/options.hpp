@@ -5,13 +5,6 @@
 
 #include "ogive/fit/johnson_cook_form.hpp"
 
-#include <array>
-#include <filesystem>
-#include <iosfwd>
-#include <optional>
-#include <string>
-#include <vector>
-
 /// \file
 /// What a user can choose for `ogive calibrate`, from the command line and from a TOML file.
 
@@ -19,11 +12,11 @@ namespace calibrate {
 
 enum class FlowModel { mjc, jc };
 enum class RateTerm { logarithmic, power };
-inline auto choices(FlowModel) {
-  return std::to_array<options::Choice<FlowModel>>({{FlowModel::mjc, "mjc"}, {FlowModel::jc, "jc"}});
+constexpr auto choices(FlowModel) {
+  return options::named<FlowModel>({{FlowModel::mjc, "mjc"}, {FlowModel::jc, "jc"}});
 }
-inline auto choices(RateTerm) {
-  return std::to_array<options::Choice<RateTerm>>({{RateTerm::logarithmic, "logarithmic"}, {RateTerm::power, "power"}});
+constexpr auto choices(RateTerm) {
+  return options::named<RateTerm>({{RateTerm::logarithmic, "logarithmic"}, {RateTerm::power, "power"}});
 }
 
 /// One calibration, in the units of the names. What is unset has no default, or one that follows from the tests.
@@ -57,6 +50,9 @@ struct Options {
 
 /// The options of the program, bound to `o`.
 options::Table table_of(Options &o);
+
+/// A name as part of a file's name.
+std::string file_part(std::string name);
 
 /// The form of the chosen law.
 ogive::FlowForm form_of(const Options &options);

@@ -6,8 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
-
 namespace calibrate {
 
 namespace {

@@ -8,10 +8,6 @@
 #include "ogive/fit/calibration.hpp"
 #include "ogive/fit/simultaneous.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace calibrate {
 
 /// A law fitted in one of the two ways.
@@ -43,6 +39,12 @@ struct Parameter {
 
 /// The parameters of hardening `h`, with the names of material files: A_MPa, B_MPa, a, C, b, or n and m.
 std::vector<Parameter> parameters_of(const ogive::Calibration &c, std::size_t h);
+
+/// `f` of the flow law of hardening `h`.
+template <class F> auto with_law(const ogive::Calibration &c, std::size_t h, F &&f) {
+  if (c.frame.form == ogive::FlowForm::modified) return f(modified_law(c.hardening[h], c.C, c.b));
+  return f(classical_law(c.frame, c.hardening[h], c.C, c.b));
+}
 
 /// "modified Johnson-Cook", ...
 std::string long_name(ogive::FlowForm form);
