@@ -3,8 +3,8 @@
 
 #include "draw/plot.hpp"
 
-#include "ogive/fit/stress_curve.hpp"
 #include "ogive/fit/strain_bins.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/io/atomic_file.hpp"
 
 #include <algorithm>
