@@ -20,6 +20,7 @@ function(consume name)
   run("${build}/consumer")
 endfunction()
 
+# The solver of the fits is compiled where all that is in the package is, by GCC and by Clang.
 set(from_prefix -D CMAKE_PREFIX_PATH=${prefix})
 
 if(STEP STREQUAL "install")
@@ -38,9 +39,10 @@ elseif(STEP STREQUAL "package")
   consume(package -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D OGIVE_TWICE=ON)
 elseif(STEP STREQUAL "package_without_vtk")
   set(WITH_VTK OFF)
-  consume(package_without_vtk -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D CMAKE_DISABLE_FIND_PACKAGE_VTK=ON)
+  consume(package_without_vtk -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D CMAKE_DISABLE_FIND_PACKAGE_VTK=ON -D
+          OGIVE_SOLVER=OFF)
 elseif(STEP STREQUAL "subdirectory")
-  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE})
+  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE} -D OGIVE_SOLVER=OFF)
 elseif(STEP STREQUAL "programs")
   set(programs "${WORK}/programs")
   file(REMOVE_RECURSE "${programs}")
