@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# lint.sh [file or folder]...: clang-format and clang-tidy over these sources, or over all of include/, apps/, tests/, bench/ and
-# examples/. Headers are read together in one translation unit: one for each would parse Eigen and VTK again and again.
+# lint.sh [file or folder]...: clang-format and clang-tidy over these sources, or over all of include/, instances/, apps/, tests/,
+# bench/ and examples/. Headers are read together in one translation unit: one for each would parse Eigen and VTK again and again.
 # Needs clang-format, clang-tidy and libomp-dev (Debian 12 has version 14), and what scripts/setup.sh installs. The exit
 # status is 1 if there is a finding.
 set -euo pipefail
@@ -12,7 +12,7 @@ for tool in clang-format clang-tidy cmake; do
   exit 2
 done
 
-[ $# -gt 0 ] || set -- "$root"/{include,apps,tests,bench,examples}
+[ $# -gt 0 ] || set -- "$root"/{include,instances,apps,tests,bench,examples}
 mapfile -t files < <(realpath "$@" | xargs -I {} find {} \( -name '*.hpp' -o -name '*.cpp' \) -not -path '*/package/*' | sort)
 status=0
 clang-format --dry-run -Werror "${files[@]}" || status=1

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limits.hpp"
 
+#include "instances/fits.hpp"
 #include "materials/library.hpp"
 #include "shot/defaults.hpp"
 #include "shot/experiment.hpp"

@@ -3,7 +3,7 @@
 
 #include "study.hpp"
 
-#include "instances/fits.hpp"
+#include "ogive/fit/ballistic_curve.hpp"
 #include "ogive/perforation/limit_search.hpp"
 
 /// \file

@@ -2,7 +2,7 @@
 #include "law_curves.hpp"
 
 #include "catch.hpp"
-#include "fits.hpp"
+#include "instances/fits.hpp"
 
 #include "ogive/fit/calibration.hpp"
 #include "ogive/fit/simultaneous.hpp"

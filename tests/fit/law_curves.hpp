@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fit/calibration.hpp"
+#include "ogive/fit/fitted_law.hpp"
 #include "ogive/fit/stress_curve.hpp"
 #include "ogive/material/library.hpp"
 

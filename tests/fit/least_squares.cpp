@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
-#include "fits.hpp"
+#include "instances/fits.hpp"
 
 #include "ogive/fit/exponents.hpp"
 #include "ogive/fit/hardening_fit.hpp"

@@ -6,6 +6,7 @@
 #include "ogive/io/checkpoint.hpp"
 #include "ogive/perforation/shape.hpp"
 
+#include <functional>
 #include <omp.h>
 
 using namespace sim_test;
@@ -14,14 +15,21 @@ namespace {
 
 constexpr double end_time = 12e-6;
 
+// The model of the programs; that of types which are chosen when they are compiled is in threads.cpp.
+using Shot = AnyPerforationModel<double>;
+
+Shot any_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical, const AnyDiscretisation &parts = {}) {
+  return full_shot(effect, rigid, nose, parts);
+}
+
 /// What a run's observer has seen.
 struct Seen {
   std::vector<double> numbers;
   bool operator==(const Seen &) const = default;
 };
 
-template <class M> auto observer_into(Seen &seen) {
-  return [&](const M &model, const Energy<double> &e) {
+auto observer_into(Seen &seen) {
+  return [&](const Shot &model, const Energy<double> &e) {
     for (const double number :
          {model.time, double(model.steps), e.kinetic, e.elastic, e.plastic, e.hourglass, e.viscous, e.contact,
           e.friction, model.support_impulse[2], find_fragments(model).plug_mass})
@@ -33,7 +41,7 @@ template <class M> auto observer_into(Seen &seen) {
 const RunOptions<double> options{.end_time = end_time};
 
 /// All bytes of the state but the wall times.
-template <class M> std::string state_bytes(const M &model, const RunState<double> &run) {
+std::string state_bytes(const Shot &model, const RunState<double> &run) {
   checkpoint_detail::StateWriter writer;
   for_each_state_field(model, run, writer);
   std::string bytes;
@@ -44,8 +52,7 @@ template <class M> std::string state_bytes(const M &model, const RunState<double
 
 /// Runs a model, stops it for a checkpoint at each of `stops` (steps) and goes on in a model built anew, with another
 /// number of threads; compares with a run that never stopped.
-template <class Make> void compare(Make &&make, const std::vector<std::int64_t> &stops) {
-  using M = decltype(make());
+void compare(const std::function<Shot()> &make, const std::vector<std::int64_t> &stops) {
   const TemporaryFolder folder;
   const int threads = omp_get_max_threads();
   omp_set_num_threads(2);
@@ -53,7 +60,7 @@ template <class Make> void compare(Make &&make, const std::vector<std::int64_t> 
   const auto first_lists = plate_positions(whole);
   RunState<double> whole_run;
   Seen seen, seen_whole;
-  run(whole, options, whole_run, observer_into<M>(seen_whole), [](const auto &, const auto &) { return false; });
+  run(whole, options, whole_run, observer_into(seen_whole), [](const auto &, const auto &) { return false; });
   REQUIRE(whole.steps > stops.back() + 5);
 
   auto model = make();
@@ -61,8 +68,8 @@ template <class Make> void compare(Make &&make, const std::vector<std::int64_t> 
   int number = 1;
   for (const std::int64_t stop : stops) {
     omp_set_num_threads(number++ % 4 + 1);
-    const auto result = run(model, options, state, observer_into<M>(seen),
-                            [&](const auto &m, const auto &) { return m.steps == stop; });
+    const auto result =
+        run(model, options, state, observer_into(seen), [&](const auto &m, const auto &) { return m.steps == stop; });
     REQUIRE(result.reason == StopReason::pause);
     REQUIRE(model.steps == stop);
     write_checkpoint(folder.path / "c", model, state, "notes");
@@ -79,8 +86,7 @@ template <class Make> void compare(Make &&make, const std::vector<std::int64_t> 
     model = std::move(fresh), state = fresh_state;
   }
   omp_set_num_threads(threads);
-  const auto result =
-      run(model, options, state, observer_into<M>(seen), [](const auto &, const auto &) { return false; });
+  const auto result = run(model, options, state, observer_into(seen), [](const auto &, const auto &) { return false; });
   CHECK(result.reason == StopReason::end_time);
   CHECK(state_hash(model) == state_hash(whole));
   CHECK(state_bytes(model, state) == state_bytes(whole, whole_run));
@@ -102,26 +108,26 @@ template <class Make> void compare(Make &&make, const std::vector<std::int64_t> 
 TEST_CASE("a restarted shot ends with the bits of one that never stopped", "[sim]") {
   // At the start, one step later, between the looks at time step and state, right at and after them.
   SECTION("one point in each hex, deformable projectile, removal") {
-    compare([] { return full_shot<OnePoint>(FailureEffect::removal, false); }, {0, 1, 7, 20, 23, 61, 100});
+    compare([] { return any_shot(FailureEffect::removal, false); }, {0, 1, 7, 20, 23, 61, 100});
   }
   SECTION("selective reduced hexes, rigid projectile, no tension") {
-    compare([] { return full_shot<SelectiveReduced>(FailureEffect::no_tension, true); }, {3, 33, 59});
+    compare([] { return any_shot(FailureEffect::no_tension, true, Nose::conical, {.rule = SelectiveReduced{}}); },
+            {3, 33, 59});
   }
   SECTION("standard form, blunt nose, removal") {
-    compare([] { return full_shot<OnePoint, StandardForm>(FailureEffect::removal, false, Nose::blunt); }, {2, 91});
+    compare([] { return any_shot(FailureEffect::removal, false, Nose::blunt, {.form = StandardForm{}}); }, {2, 91});
   }
 }
 
 TEST_CASE("a run that is paused in memory goes on as if there had been no pause", "[sim]") {
-  auto whole = full_shot<OnePoint>(FailureEffect::removal, true), model = whole;
-  using M = decltype(whole);
+  auto whole = any_shot(FailureEffect::removal, true), model = whole;
   Seen seen, seen_whole;
-  run(whole, options, observer_into<M>(seen_whole));
+  run(whole, options, observer_into(seen_whole));
   RunState<double> state;
   int pauses = 0;
   for (;; ++pauses) {
     bool first = true; // one step after each pause
-    const auto result = run(model, options, state, observer_into<M>(seen),
+    const auto result = run(model, options, state, observer_into(seen),
                             [&](const auto &, const auto &) { return !std::exchange(first, false); });
     if (result.reason == StopReason::end_time) break;
     REQUIRE(result.reason == StopReason::pause);
@@ -133,7 +139,7 @@ TEST_CASE("a run that is paused in memory goes on as if there had been no pause"
 
 TEST_CASE("a run goes on beyond the end that it was given first", "[sim]") {
   const TemporaryFolder folder;
-  auto whole = full_shot<OnePoint>(FailureEffect::removal, true), model = whole;
+  auto whole = any_shot(FailureEffect::removal, true), model = whole;
   const auto fresh = whole;
   run(whole, options, [](const auto &, const auto &) { return true; });
   RunState<double> state;

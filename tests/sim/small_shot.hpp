@@ -4,6 +4,9 @@
 #include "ogive/perforation/setup.hpp"
 #include "ogive/sim/hash.hpp"
 
+#include <type_traits>
+#include <vector>
+
 namespace sim_test {
 
 using namespace ogive;
@@ -35,9 +38,10 @@ template <class Law> Metal<double, Law> brittle(Metal<double, Law> metal, Failur
 }
 
 /// The same with all that a shot can have: friction, damage with its effect, by the pressure of the neighbours and with
-/// a length, bonds, a smoothing length that follows the density, mirror planes.
-template <class Rule, class Form = RenormalisedForm>
-auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical) {
+/// a length, bonds, a smoothing length that follows the density, mirror planes. With AnyDiscretisation the model is the
+/// one that programs run.
+template <class Parts = Discretisation<>>
+auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical, const Parts &parts = {}) {
   auto c = small_case(nose, Extent::quarter);
   c.rigid_projectile = rigid;
   auto plate = library::weldox_460e_mjc<double>();
@@ -51,7 +55,11 @@ auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical) {
   numerics.sph.variable_smoothing = true;
   numerics.sph.control.stiffness = 0.3;
   numerics.sph.damage_pressure = DamagePressure::neighbours;
-  return make_perforation<CubicSpline, Form, Rule>(c, plate, library::arne_tool_steel<double>(), numerics);
+  const auto steel = library::arne_tool_steel<double>();
+  if constexpr (std::is_same_v<Parts, AnyDiscretisation>)
+    return make_perforation(c, std::vector{with_law<AnyJohnsonCook<double>>(plate)}, steel, numerics, parts);
+  else
+    return make_perforation(c, std::vector{plate}, steel, numerics, parts);
 }
 
 } // namespace sim_test

@@ -31,7 +31,7 @@ TEST_CASE("a shot with all features has the same bits with any number of threads
   const TemporaryFolder folder;
   const auto go_on = [](const auto &, const auto &) { return true; };
   const RunOptions<double> options{.end_time = 12e-6};
-  const auto make = [] { return full_shot<OnePoint>(FailureEffect::removal, false); };
+  const auto make = [] { return full_shot(FailureEffect::removal, false); };
   const auto hash_with = [&](int threads, bool restart) {
     omp_set_num_threads(threads);
     auto model = make();

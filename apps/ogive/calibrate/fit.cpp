@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results.hpp"
 
+#include "instances/fits.hpp"
+
+#include "ogive/fit/calibration.hpp"
 #include "ogive/fit/curve_table.hpp"
+#include "ogive/fit/simultaneous.hpp"
 
 namespace calibrate {
 

@@ -4,6 +4,7 @@
 #include "draw/plot.hpp"
 
 #include "ogive/fit/strain_bins.hpp"
+#include "ogive/fit/stress_curve.hpp"
 #include "ogive/io/atomic_file.hpp"
 
 #include <set>

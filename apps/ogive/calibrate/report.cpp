@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results.hpp"
 
+#include "ogive/fit/least_squares.hpp"
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/version.hpp"
 

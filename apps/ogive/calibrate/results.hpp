@@ -3,10 +3,7 @@
 
 #include "options.hpp"
 
-#include "instances/fits.hpp"
-
-#include "ogive/fit/calibration.hpp"
-#include "ogive/fit/simultaneous.hpp"
+#include "ogive/fit/fitted_law.hpp"
 
 namespace calibrate {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/fit/calibration.hpp"
+#include "ogive/fit/fitted_law.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#ifndef OGIVE_SOLVER
+#include "no_solver.hpp"
+#endif
+
 #include "everything.hpp"
 
 #include <cstdio>
