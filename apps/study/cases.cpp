@@ -92,7 +92,8 @@ List read_list(const options::Table &table, const std::string &file) {
     }
     if (row.fields.size() != list.columns.size())
       throw SetupError(place + ": fields in the row = " + std::to_string(row.fields.size()) + ": must be " +
-                       std::to_string(list.columns.size()));
+                       std::to_string(list.columns.size()) +
+                       (row.fields.size() > list.columns.size() ? "; decimals have points, not commas" : ""));
     ListedCase &one = list.cases.emplace_back();
     one.place = place;
     for (std::size_t k = 0; k < row.fields.size(); ++k) {

@@ -42,8 +42,42 @@ TEST_CASE("a table is read whatever its line ends, quotes, blanks, comments and 
 }
 
 TEST_CASE("rows of the same strain keep their order") {
-  CHECK(read(header + "1,293,0.1,3\n1,293,0.1,2\n1,293,0,9\n1,293,0.1,1\n")[0].stress ==
-        std::vector<double>{9e6, 3e6, 2e6, 1e6});
+  CHECK(read(header + "1,293,0.1,30\n1,293,0.1,20\n1,293,0,90\n1,293,0.1,10\n")[0].stress ==
+        std::vector<double>{90e6, 30e6, 20e6, 10e6});
+}
+
+TEST_CASE("a point that is there twice counts once") {
+  std::vector<std::string> messages;
+  const std::string rows = "1,293,0,500\n1,293,0.1,600\n1,293,0.1,610\n1,293,0.2,600\n";
+  const auto curves = read_curves({{"a.csv", header + rows}, {"b.csv", header + rows}}, {false, 0, 1800}, messages);
+  REQUIRE(curves.size() == 1);
+  CHECK(curves[0].stress == std::vector<double>{500e6, 600e6, 610e6, 600e6});
+  REQUIRE(messages.size() == 1);
+  CHECK(messages[0] == "1 1/s, 293 K: 4 points that are there more than once count once");
+}
+
+TEST_CASE("numbers that look like other units need the user's word") {
+  CurveTableFormat insisting{false, 200e9, 1800, true};
+  const auto named = [&](const std::string &row, const std::string &message) {
+    CHECK(refusal(header + row) == message);
+    CHECK(refusal(header + row, insisting).empty());
+  };
+  named("1,20,0,500\n1,20,0.1,600\n", "t.csv:2: temperature_K = 20: is unlikely: kelvin are needed, not degrees "
+                                      "Celsius; tests that are meant so need unusual = true");
+  named(
+      "1,293,0,0.5\n1,293,0.1,0.6\n",
+      "t.csv:2: stress_MPa = 0.5: is unlikely for the yield stress, which is between 10 and 5000 MPa in metals; tests "
+      "that are meant so need unusual = true");
+  CHECK_FALSE(refusal(header + "1,293,0,5e5\n1,293,0.1,6e5\n").empty()); // kPa
+}
+
+TEST_CASE("separators other than commas are named") {
+  CHECK(refusal("strain_rate_per_s;temperature_K;plastic_strain;stress_MPa\n1;293;0;500\n") ==
+        "t.csv:1: columns are separated by semicolons: must be separated by commas, with points in decimal numbers");
+  CHECK(refusal("strain_rate_per_s\ttemperature_K\n") ==
+        "t.csv:1: columns are separated by tabs: must be separated by commas, with points in decimal numbers");
+  CHECK(refusal(header + "0,001,293,0,500\n") ==
+        "t.csv:2: fields = 5: must be as many as there are columns, 4; decimals have points, not commas");
 }
 
 TEST_CASE("curves may be spread over tables") {

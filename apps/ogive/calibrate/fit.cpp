@@ -61,7 +61,7 @@ std::vector<ogive::StressCurve> read_tables(const Options &o, std::vector<std::s
   std::vector<ogive::CurveTable> tables;
   for (const auto &file : o.data) texts.push_back(options::text_of_file(file, "--data", "CSV", most_mebibytes));
   for (std::size_t i = 0; i < texts.size(); ++i) tables.push_back({options::printable(o.data[i].string()), texts[i]});
-  return ogive::read_curves(tables, {o.engineering, o.young_GPa.value_or(0) * 1e9, *o.melting_K}, messages);
+  return ogive::read_curves(tables, {o.engineering, o.young_GPa.value_or(0) * 1e9, *o.melting_K, o.unusual}, messages);
 }
 
 Results fitted(const Options &o, std::vector<ogive::StressCurve> curves, std::vector<std::string> messages) {

@@ -74,6 +74,8 @@ Table table_of(Options &o) {
       .allowed = "the names of CSV files"});
   add(table, o.engineering, {.key = "engineering",
       .meaning = "they hold engineering stress and strain; cut at necking, needs --young-GPa"});
+  add(table, o.unusual, {.key = "unusual", .meaning = "they are meant to be below 150 K or to yield outside 10 MPa to "
+      "5 GPa, else taken for wrong units"});
   auto &name = add(table, o.name, {.key = "name", .meaning = "of the metal", .source = "that of the first table",
       .brief = "of the metal", .allowed = "a name of letters, digits, _ - . and blanks"});
   name.assign = [&o, allowed = name.allowed_text](const Given &given) {

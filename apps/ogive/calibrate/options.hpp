@@ -23,6 +23,7 @@ constexpr auto choices(RateTerm) {
 struct Options {
   std::vector<std::filesystem::path> data; ///< tables of tensile curves
   bool engineering = false;                ///< they hold engineering stress and strain
+  bool unusual = false;                    ///< they may be colder than 150 K and yield outside 10 MPa to 5 GPa
   std::string name;                        ///< of the metal; parse() takes the first table's where none is given
 
   FlowModel model = FlowModel::mjc;

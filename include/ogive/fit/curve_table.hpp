@@ -25,6 +25,7 @@ struct CurveTableFormat {
   bool engineering = false; ///< engineering instead of true stress and plastic strain
   double young{};           ///< Pa, for engineering curves
   double melting{};         ///< K; tests must be colder
+  bool unusual = false;     ///< take tests below 150 K and yield stresses outside 10 MPa to 5 GPa, not wrong units
 };
 
 /// A table: its name for errors, and its text.
@@ -127,7 +128,8 @@ inline void read_table(const CurveTable &table, std::size_t index, const CurveTa
     any = true;
     const std::string where = place(table.name, row.line);
     require(row.fields.size() == order.size(), where + ": fields", row.fields.size(),
-            "must be as many as there are columns, " + std::to_string(order.size()));
+            "must be as many as there are columns, " + std::to_string(order.size()) +
+                (row.fields.size() > order.size() ? "; decimals have points, not commas" : ""));
     std::array<double, column_count> number{};
     std::array<std::string, column_count> text{};
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -172,12 +174,41 @@ inline void convert(Entries &e, const CurveTableFormat &format, const std::vecto
   e.points = std::move(points);
 }
 
+/// Throws SetupError for a curve whose numbers look like degrees Celsius, pascals or gigapascals.
+inline void require_usual_units(const Entries &e, const CurveTableFormat &format,
+                                const std::vector<CurveTable> &tables) {
+  if (format.unusual) return;
+  const Columns names = columns(format);
+  const Entry &first = e.points.front();
+  const std::string where = place(tables[first.table].name, first.line) + ": ";
+  constexpr const char *unless = "; tests that are meant so need unusual = true";
+  require(e.curve.temperature >= 150, where + names[temperature], shortest(e.curve.temperature),
+          std::string("is unlikely: kelvin are needed, not degrees Celsius") + unless);
+  require(first.stress >= 10e6 && first.stress <= 5e9, where + names[stress], shortest(first.stress / 1e6),
+          std::string("is unlikely for the yield stress, which is between 10 and 5000 MPa in metals") + unless);
+}
+
+/// Leaves each point once: one that was pasted twice would count as two measurements.
+inline void drop_repeated(Entries &e, std::vector<std::string> &messages) {
+  std::vector<Entry> points;
+  for (const Entry &p : e.points) {
+    bool repeated = false; // they are sorted by strain
+    for (auto other = points.rbegin(); other != points.rend() && other->strain == p.strain; ++other)
+      repeated = repeated || other->stress == p.stress;
+    if (!repeated) points.push_back(p);
+  }
+  if (points.size() < e.points.size())
+    messages.push_back(description(e.curve) + ": " + std::to_string(e.points.size() - points.size()) +
+                       " points that are there more than once count once");
+  e.points = std::move(points);
+}
+
 } // namespace curve_table_detail
 
 /// Reads curves from tables with the columns strain_rate_per_s, temperature_K, plastic_strain and stress_MPa in any
 /// order, and where wanted specimen and plate; engineering_strain and engineering_stress_MPa for engineering curves.
 /// Rows of the same plate, specimen, rate and temperature are one curve, sorted by strain. What is left out of
-/// engineering curves is added to `messages`. Throws SetupError, one line with table and line.
+/// engineering curves or counts once is added to `messages`. Throws SetupError, one line with table and line.
 inline std::vector<StressCurve> read_curves(const std::vector<CurveTable> &tables, const CurveTableFormat &format,
                                             std::vector<std::string> &messages) {
   using namespace curve_table_detail;
@@ -189,10 +220,12 @@ inline std::vector<StressCurve> read_curves(const std::vector<CurveTable> &table
     const Entry first = e.points.front();
     std::stable_sort(e.points.begin(), e.points.end(),
                      [](const auto &a, const auto &b) { return a.strain < b.strain; });
+    drop_repeated(e, messages);
     if (e.points.size() < 2)
       throw SetupError(place(tables[first.table].name, first.line) + ": curve " + description(e.curve) +
                        " = 1 point: must have two or more");
     if (format.engineering) convert(e, format, tables, messages);
+    require_usual_units(e, format, tables);
     for (const auto &p : e.points) e.curve.strain.push_back(p.strain), e.curve.stress.push_back(p.stress);
     curves.push_back(std::move(e.curve));
   }

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ogive {
@@ -58,11 +59,21 @@ inline void read_quoted(std::string_view text, const std::string &name, long &li
   throw SetupError(place(name, opened) + ": field = \"" + printable(field) + ": must end with a quotation mark");
 }
 
+/// Throws SetupError for a first line whose columns other characters than commas separate.
+inline void require_commas(std::string_view header, const std::string &name, long line) {
+  if (header.find_first_of(",\"") != std::string_view::npos) return;
+  for (const auto &[separator, text] : {std::pair(';', "semicolons"), std::pair('\t', "tabs")})
+    if (header.find(separator) != std::string_view::npos)
+      throw SetupError(place(name, line) + ": columns are separated by " + text +
+                       ": must be separated by commas, with points in decimal numbers");
+}
+
 } // namespace csv_detail
 
 /// Calls `f(row)` for each row of `text`, a table separated by commas (RFC 4180): fields may be quoted, lines may end
 /// with LF or CRLF, a byte order mark, blank lines and lines that begin with '#' are passed over. Throws SetupError,
-/// one line with `name` and the line, for damaged quotes and for a row with more than `most_fields` fields.
+/// one line with `name` and the line, for damaged quotes, other separators in the first row and a row with more than
+/// `most_fields` fields.
 template <class F>
 void for_each_csv_row(std::string_view text, const std::string &name, std::size_t most_fields, F &&f) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
@@ -74,6 +85,7 @@ void for_each_csv_row(std::string_view text, const std::string &name, std::size_
       at = end + 1;
       continue;
     }
+    if (row.line == 0) csv_detail::require_commas(text.substr(at, end - at), name, line);
     row.line = line;
     row.fields.clear();
     for (bool more = true; more;) {
