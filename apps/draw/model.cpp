@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model.hpp"
 
+#include "ogive/io/text.hpp"
 #include "page.hpp"
 #include "scene.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <vtkCamera.h>
 #include <vtkProperty.h>
 
@@ -88,11 +88,8 @@ void render_model(const Frame &frame, const std::string &title, const std::files
   aim(near, {0, (low + high) / 2, (high - low) / 2});
   add_scene(page, near, {0, label_height, page_width, lower_height});
   std::string section = "(b) section at the impact point";
-  if (!frame.clouds.empty()) {
-    char text[64];
-    std::snprintf(text, sizeof text, ": particles %.3g mm apart", 1e3 * frame.clouds.front().diameter);
-    section += text;
-  }
+  if (!frame.clouds.empty())
+    section += ": particles " + ogive::with_digits(1e3 * frame.clouds.front().diameter, 3) + " mm apart";
   add_line(section, 0, label_height, font_size);
   add_line(title, page.height - title_height, page.height, font_size + 4);
   write_png(page, path, 52);

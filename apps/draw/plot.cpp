@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
@@ -66,7 +65,8 @@ std::string gnuplot_quoted(const std::string &text) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     // It takes a digit behind three octal ones for a fourth.
-    escaped = !(byte >= 0x80 || (std::isdigit(byte) && !escaped) || std::isalpha(byte) || c == ' ' || c == '/' ||
+    const bool is_digit = c >= '0' && c <= '9';
+    escaped = !(byte >= 0x80 || (is_digit ? !escaped : ogive::is_letter_or_digit(c)) || c == ' ' || c == '/' ||
                 c == '.' || c == '_' || c == '-');
     if (!escaped)
       quoted += c;
@@ -131,12 +131,10 @@ void write_velocity_plot(const VelocityPlot &plot, const std::filesystem::path &
               gnuplot_quoted(name);
   }
   if (plot.measured_residual_m_per_s) {
-    std::array<char, 32> value{};
-    std::snprintf(value.data(), value.size(), "%.10g", *plot.measured_residual_m_per_s);
-    script +=
-        std::string(", ") + value.data() +
-        " with lines linewidth 2 dashtype 2 linecolor '#c0392b' title 'measured residual velocity: " + value.data() +
-        " m/s'";
+    const std::string value = ogive::with_digits(*plot.measured_residual_m_per_s, 10);
+    script += ", " + value +
+              " with lines linewidth 2 dashtype 2 linecolor '#c0392b' title 'measured residual velocity: " + value +
+              " m/s'";
   }
   draw_with_gnuplot(script, picture);
 }

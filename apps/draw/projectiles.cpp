@@ -3,13 +3,12 @@
 
 #include "plot.hpp"
 
-#include "ogive/mesh/projectile_shape.hpp"
 #include "ogive/io/text.hpp"
 #include "ogive/material/library.hpp"
+#include "ogive/mesh/projectile_shape.hpp"
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace draw {
 
@@ -22,9 +21,7 @@ constexpr double left_mm = -28, right_mm = 126, row_height_mm = 50;
 
 /// "62 mm", four digits at most.
 std::string in_mm(double metres, const char *before = "") {
-  char text[48];
-  std::snprintf(text, sizeof text, "%s%.4g mm", before, 1e3 * metres);
-  return text;
+  return before + ogive::with_digits(1e3 * metres, 4) + " mm";
 }
 
 /// One projectile as commands for gnuplot; coordinates in mm, the tail at x = 0 and the axis at y = `axis`.
@@ -81,8 +78,8 @@ std::string commands_of(const Shape &shape, double axis, char letter) {
   drawing.add_line(-4, 0, whole + 4, 0, "nohead dashtype (48,16,8,16)");
 
   const double grams = 1e3 * ogive::mass(shape, ogive::library::arne_tool_steel<double>().density);
-  char title[64];
-  std::snprintf(title, sizeof title, "(%c) %s, %.4g g", letter, std::string(name(shape.nose)).c_str(), grams);
+  const std::string title =
+      std::string("(") + letter + ") " + std::string(name(shape.nose)) + ", " + ogive::with_digits(grams, 4) + " g";
   drawing.add_text(title, 0, radius + 5, "left");
   add_height(drawing, radius, 0, -7, in_mm(shape.diameter, "Ø "));
   add_length(drawing, 0, shank, -radius, -radius - 7, in_mm(shape.shank_length));

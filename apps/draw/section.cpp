@@ -2,11 +2,11 @@
 #include "section.hpp"
 
 #include "ogive/core/error.hpp"
+#include "ogive/io/text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
 namespace draw {
 
@@ -80,9 +80,8 @@ void render_panel(const std::vector<PanelCell> &cells, const std::filesystem::pa
   while (scale_mm * layout.pixels_per_mm > scale.width - font) scale_mm /= 2;
   const double length = scale_mm * layout.pixels_per_mm, thickness = std::max(2.0, font / 6);
   add_bar(page, {scale.x + (scale.width - length) / 2, scale.y + thickness / 2, length, thickness});
-  char text[32];
-  std::snprintf(text, sizeof text, "%g mm", scale_mm);
-  add_text(page, text, {scale.x, scale.y + 0.6 * font, scale.width, 1.4 * font}, font_size);
+  add_text(page, ogive::with_digits(scale_mm, 6) + " mm", {scale.x, scale.y + 0.6 * font, scale.width, 1.4 * font},
+           font_size);
 
   const SectionView view{0, (panel.low_mm + panel.high_mm) / 2, layout.cells.front().height / layout.pixels_per_mm / 2};
   for (std::size_t k = 0; k < cells.size(); ++k)

@@ -9,6 +9,7 @@
 
 #include "ogive/fem/hex8.hpp"
 #include "ogive/io/read_frame.hpp"
+#include "ogive/io/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -240,11 +241,11 @@ std::optional<double> projectile_velocity(const Frame &frame) {
 
 /// "(a) 40 µs, 151 m/s".
 std::string time_label(std::size_t number, const Frame &frame) {
-  char text[80], speed[40] = "";
+  std::string text =
+      std::string("(") + char('a' + number % 26) + ") " + ogive::with_decimals(frame.time * 1e6, 0) + " µs";
   // A rebound is no "-0".
   if (const auto velocity = projectile_velocity(frame))
-    std::snprintf(speed, sizeof speed, ", %.0f m/s", std::round(*velocity) + 0.0);
-  std::snprintf(text, sizeof text, "(%c) %.0f µs%s", char('a' + number % 26), frame.time * 1e6, speed);
+    text += ", " + ogive::with_decimals(std::round(*velocity) + 0.0, 0) + " m/s";
   return text;
 }
 

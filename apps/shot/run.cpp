@@ -2,6 +2,7 @@
 #include "run.hpp"
 
 #include "materials/library.hpp"
+#include "ogive/io/text.hpp"
 #include "ogive/io/write_error.hpp"
 #include "options/folder_lock.hpp"
 #include "options/out_folder.hpp"
@@ -12,7 +13,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstring>
 
@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 /// Text as a shell takes it for one word.
 std::string shell_word(const std::string &text) {
-  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) || std::strchr("/._-+=:,@%", c) != nullptr;
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return ogive::is_letter_or_digit(c) || std::strchr("/._-+=:,@%", c) != nullptr;
   });
   if (plain) return text;
   std::string quoted = "'";
@@ -70,6 +70,7 @@ void prepare_out(const Options &o) {
 
 Outcome run(const Options &o, Output output) {
   const auto plates = plates_of(o);
+  // A study has seen to the threads of all its shots.
   prepare_out(o);
   if (o.threads) omp_set_num_threads(*o.threads);
 
@@ -79,7 +80,6 @@ Outcome run(const Options &o, Output output) {
   const auto test = find_test(o);
   Outcome outcome;
   Result &shot = outcome.shot;
-  char text[200];
   const auto ends_with = [&](int status, const std::string &problem) {
     outcome.status = status;
     outcome.problem = problem;
@@ -92,8 +92,8 @@ Outcome run(const Options &o, Output output) {
     return ends_with(not_finished, error.what());
   }
   if (shot.interrupted_by != 0) {
-    std::snprintf(text, sizeof text, "interrupted by %s at %.3f us", signal_name(shot.interrupted_by).c_str(),
-                  shot.simulated_us);
+    const std::string text = "interrupted by " + signal_name(shot.interrupted_by) + " at " +
+                             ogive::with_decimals(shot.simulated_us, 3) + " us";
     if (prints) print_problem(o, text);
     return ends_with(interrupted + shot.interrupted_by, text);
   }
@@ -103,9 +103,10 @@ Outcome run(const Options &o, Output output) {
     if (const std::string left_out = draw(o, shot, test); !left_out.empty())
       std::fprintf(stderr, "ogive shoot: left out: %s\n", left_out.c_str());
   if (!shot.fault) return outcome;
-  std::snprintf(text, sizeof text, "stopped at %.3f us: %.120s (%.30s %d)", shot.fault->time_us,
-                shot.fault->what.c_str(), shot.fault->body.c_str(), shot.fault->id);
-  if (prints) std::fprintf(stderr, "ogive shoot: %s\n", text);
+  const std::string text = "stopped at " + ogive::with_decimals(shot.fault->time_us, 3) +
+                           " us: " + shot.fault->what.substr(0, 120) + " (" + shot.fault->body.substr(0, 30) + " " +
+                           std::to_string(shot.fault->id) + ")";
+  if (prints) std::fprintf(stderr, "ogive shoot: %s\n", text.c_str());
   return ends_with(not_finished, text);
 }
 

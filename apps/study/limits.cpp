@@ -2,13 +2,13 @@
 #include "limits.hpp"
 
 #include "materials/library.hpp"
+#include "ogive/io/text.hpp"
 #include "shot/defaults.hpp"
 #include "shot/experiment.hpp"
 #include "shot/projectile.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace study {
 
@@ -189,7 +189,7 @@ std::string limits_csv(const std::vector<LimitRow> &limits, const std::vector<st
 }
 
 std::string described(const LimitRow &row, const std::vector<std::string> &own_columns) {
-  char text[240];
+  using ogive::with_decimals;
   const auto &v = row.key.values;
   std::string line = (v[method_column] == "sfm" ? "" : v[method_column] + ", ") + v[model_column] + ", " +
                      v[material_column] + ", " + v[nose_column] + ", " + v[thickness_column] + " mm";
@@ -198,24 +198,19 @@ std::string described(const LimitRow &row, const std::vector<std::string> &own_c
   line += ": ";
   const auto estimate = ogive::limit_estimate(row.bracket);
   if (estimate) {
-    std::snprintf(text, sizeof text, "limit %.1f +- %.1f m/s by bisection", estimate->limit, estimate->half_width);
-    line += text;
+    line += "limit " + with_decimals(estimate->limit, 1) + " +- " + with_decimals(estimate->half_width, 1) +
+            " m/s by bisection";
   } else {
     line += "no limit by bisection yet";
   }
   if (row.fit) {
     const auto &f = *row.fit;
-    std::snprintf(text, sizeof text, "; fit to %zu shots: %.1f", f.points, f.curve.limit);
-    line += text;
-    if (f.limit.standard_error) {
-      std::snprintf(text, sizeof text, " +- %.1f", *f.limit.standard_error);
-      line += text;
-    }
-    std::snprintf(text, sizeof text, " m/s, a %.2f, p %.2f", f.curve.a, f.curve.p);
-    line += text;
+    line += "; fit to " + std::to_string(f.points) + " shots: " + with_decimals(f.curve.limit, 1);
+    if (f.limit.standard_error) line += " +- " + with_decimals(*f.limit.standard_error, 1);
+    line += " m/s, a " + with_decimals(f.curve.a, 2) + ", p " + with_decimals(f.curve.p, 2);
     if (estimate) {
-      std::snprintf(text, sizeof text, ", %+.1f m/s from the bisection", f.curve.limit - estimate->limit);
-      line += text;
+      const double apart = f.curve.limit - estimate->limit;
+      line += (std::signbit(apart) ? ", " : ", +") + with_decimals(apart, 1) + " m/s from the bisection";
     }
   }
   if (row.published.test_limit_mps) line += "; test " + ogive::shortest(*row.published.test_limit_mps) + " m/s";

@@ -6,6 +6,7 @@
 #include "shot/run.hpp"
 #include "shot/signals.hpp"
 
+#include "ogive/io/text.hpp"
 #include "ogive/io/write_error.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <mutex>
 #include <thread>
 
@@ -53,10 +53,10 @@ void keep(Work &w, const Case &shot, const Row &row) {
     append_row(rows_file(w.study), row, w.study.own_columns);
     w.rows.push_back(row);
   }
-  char text[300];
-  std::snprintf(text, sizeof text, "%.180s: %.1f m/s, %.0f s, energy error %.3f %%", shot.name.c_str(),
-                number(row, "residual_velocity_mps"), number(row, "wall_s"), 100 * number(row, "energy_error"));
-  w.report(text);
+  using ogive::with_decimals;
+  w.report(shot.name.substr(0, 180) + ": " + with_decimals(number(row, "residual_velocity_mps"), 1) + " m/s, " +
+           with_decimals(number(row, "wall_s"), 0) + " s, energy error " +
+           with_decimals(100 * number(row, "energy_error"), 3) + " %");
 }
 
 void note_failure(Work &w, const Case &shot, const std::string &reason) {

@@ -2,6 +2,7 @@
 #include "draw/plot.hpp"
 
 #include "io/temporary_folder.hpp"
+#include "locale.hpp"
 #include "ogive/io/csv.hpp"
 
 #include "catch.hpp"
@@ -54,6 +55,19 @@ TEST_CASE("the velocities of several histories become one plot") {
   const std::string svg = read_text(folder.path / "both.svg");
   for (const char *text : {"two shots", "12 mm", "16 mm"}) CHECK(has(svg, text));
   CHECK_FALSE(has(svg, "computed"));
+}
+
+TEST_CASE("plots have a decimal point whatever the locale of the program") {
+  if (!gnuplot_available()) {
+    WARN("skipped: there is no gnuplot");
+    return;
+  }
+  const TemporaryFolder folder;
+  const GermanLocale german;
+  VelocityPlot plot{"", {{sample_history(folder.path)}}};
+  plot.measured_residual_m_per_s = 199.75;
+  write_velocity_plot(plot, folder.path / "velocity.svg");
+  CHECK(has(read_text(folder.path / "velocity.svg"), "measured residual velocity: 199.75 m/s"));
 }
 
 TEST_CASE("names and titles are data to gnuplot, never commands") {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ogive/io/atomic_file.hpp"
+#include "ogive/io/text.hpp"
 #include "ogive/io/vtk_data_set.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -62,7 +62,7 @@ struct VtkSeries {
 
 /// Whether `name` can be part of a file name and of XML as it is: letters, digits, '-', '_' and '.', not '.' first.
 inline bool plain_file_name(const std::string &name) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_' || c == '.'; };
+  const auto plain = [](char c) { return is_letter_or_digit(c) || c == '-' || c == '_' || c == '.'; };
   return !name.empty() && name[0] != '.' && std::all_of(name.begin(), name.end(), plain);
 }
 
@@ -108,9 +108,7 @@ inline std::string pvd_text(const VtkSeries &series) {
   std::string text = "<?xml version=\"1.0\"?>\n<!-- timestep: time in microseconds; positions in mm -->\n"
                      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
   for (const auto &entry : series.entries) {
-    char timestep[32];
-    std::snprintf(timestep, sizeof timestep, "%.9g", 1e6 * entry.time);
-    text += std::string("    <DataSet timestep=\"") + timestep + "\" part=\"" + std::to_string(entry.part) +
+    text += "    <DataSet timestep=\"" + with_digits(1e6 * entry.time, 9) + "\" part=\"" + std::to_string(entry.part) +
             "\" name=\"" + entry.part_name + "\" file=\"" + entry.file + "\"/>\n";
   }
   return text + "  </Collection>\n</VTKFile>\n";

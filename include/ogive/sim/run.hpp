@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/error.hpp"
+#include "ogive/core/extremes.hpp"
 #include "ogive/fem/hex_time_step.hpp"
 #include "ogive/sim/energy.hpp"
 #include "ogive/sim/guard.hpp"
@@ -10,7 +12,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace ogive {
@@ -106,7 +107,7 @@ std::optional<Fault> find_small_step(const Model<T, Bodies> &model, const RunOpt
   if (state.time_step >= options.smallest_step_fraction * state.first_step) return std::nullopt;
   if (auto fault = find_inverted(model)) return fault;
   if (auto fault = find_not_finite(model)) return fault;
-  std::ostringstream what;
+  auto what = text_stream();
   what << "the stable time step fell to " << state.time_step << " s, from " << state.first_step << " s";
   Fault fault{what.str(), "model", -1, double(model.time) * 1e6};
   T shortest = std::numeric_limits<T>::max();
@@ -127,7 +128,7 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunO
   if (!(state.initial_energy > T(0)) || std::abs(error) <= options.largest_energy_error) return std::nullopt;
   if (auto fault = find_not_finite(model)) return fault;
   if (auto fault = find_inverted(model)) return fault;
-  std::ostringstream what;
+  auto what = text_stream();
   what << "the error of the energy balance is " << double(error) * 100 << " %: " << total(ledger) << " J, from "
        << state.initial_energy << " J";
   return Fault{what.str(), "model", -1, double(model.time) * 1e6};
