@@ -70,13 +70,25 @@ TEST_CASE("a fold keeps its order even if the operation does not commute", "[cor
   }
 }
 
-TEST_CASE("the extremes respect the start and ignore what is not a number", "[core]") {
-  const std::vector<double> values = {3, -2, std::nan(""), 7, 5};
+TEST_CASE("the extremes respect the start", "[core]") {
+  const std::vector<double> values = {3, -2, 0, 7, 5};
   const auto value = [&](Index i) { return values[i]; };
   CHECK(parallel_min(Index(5), 100.0, value) == -2);
   CHECK(parallel_min(Index(5), -9.0, value) == -9);
   CHECK(parallel_max(Index(5), -100.0, value) == 7);
   CHECK(parallel_max(Index(0), 4.0, value) == 4);
+}
+
+TEST_CASE("the extremes keep what is not a number, wherever it is", "[core]") {
+  constexpr Index count = 5000; // several blocks
+  for (const Index at : {0, 1, 1023, 1024, 3000, 4999}) {
+    const auto value = [&](Index i) { return i == at ? std::nan("") : double(i); };
+    for (const double low : with_threads([&] { return parallel_min(count, 1e9, value); })) CHECK(std::isnan(low));
+    for (const double high : with_threads([&] { return parallel_max(count, -1e9, value); })) CHECK(std::isnan(high));
+  }
+  for (const double low : with_threads([] { return parallel_min(count, std::nan(""), awkward); }))
+    CHECK(std::isnan(low));
+  CHECK(parallel_min(count, 7, [](Index i) { return 9 - i; }) == 9 - (count - 1));
 }
 
 TEST_CASE("loops visit each index once", "[core]") {

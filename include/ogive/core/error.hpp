@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/compiler.hpp"
+
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>

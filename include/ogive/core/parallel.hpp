@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/extremes.hpp"
 #include "ogive/core/types.hpp"
 
 #include <algorithm>
@@ -50,14 +51,14 @@ template <class R, class F> R ordered_sum(Index n, R zero, F &&f) {
   return ordered_fold(n, zero, f, [](const R &a, const R &b) -> R { return a + b; });
 }
 
-/// Smallest `f(i)` over i in [0, n), not above `start`.
+/// Smallest `f(i)` over i in [0, n), not above `start`; not a number if one of them is not.
 template <class R, class F> R parallel_min(Index n, R start, F &&f) {
-  return ordered_fold(n, start, f, [](const R &a, const R &b) { return b < a ? b : a; });
+  return ordered_fold(n, start, f, [](const R &a, const R &b) { return least(a, b); });
 }
 
-/// Largest `f(i)` over i in [0, n), not below `start`.
+/// Largest `f(i)` over i in [0, n), not below `start`; not a number if one of them is not.
 template <class R, class F> R parallel_max(Index n, R start, F &&f) {
-  return ordered_fold(n, start, f, [](const R &a, const R &b) { return b > a ? b : a; });
+  return ordered_fold(n, start, f, [](const R &a, const R &b) { return most(a, b); });
 }
 
 } // namespace ogive

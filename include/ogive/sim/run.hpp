@@ -70,7 +70,7 @@ template <class T, class Bodies, class F> void for_each_deformable(const Model<T
 /// Largest stable step of all bodies that deform, s.
 template <class T, class Bodies> T stable_time_step(const Model<T, Bodies> &model) {
   T dt = std::numeric_limits<T>::max();
-  for_each_deformable(model, [&](const auto &body) { dt = std::min(dt, stable_time_step(body, model.nodes)); });
+  for_each_deformable(model, [&](const auto &body) { dt = least(dt, stable_time_step(body, model.nodes)); });
   for (const auto &contact : model.contacts)
     if (contact.state.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.state.reference_time_step);
   return dt;
@@ -113,7 +113,7 @@ std::optional<Fault> find_small_step(const Model<T, Bodies> &model, const RunOpt
   T shortest = std::numeric_limits<T>::max();
   for_each_deformable(model, [&](const auto &body) {
     const T dt = stable_time_step(body, model.nodes);
-    if (!(dt < shortest)) return;
+    if (!(dt < shortest || is_nan(dt))) return;
     shortest = dt;
     fault.body = body.name, fault.id = shortest_step_at(body, model.nodes);
   });
