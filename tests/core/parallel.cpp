@@ -91,6 +91,39 @@ TEST_CASE("the extremes keep what is not a number, wherever it is", "[core]") {
   CHECK(parallel_min(count, 7, [](Index i) { return 9 - i; }) == 9 - (count - 1));
 }
 
+TEST_CASE("an exception leaves a loop, that of the lowest index", "[core]") {
+  struct Thrown {
+    Index at = -1;
+  };
+  const auto thrown_by = [](auto &&loop) {
+    return with_threads([&] {
+      try {
+        loop();
+      } catch (const Thrown &thrown) {
+        return thrown.at;
+      }
+      return Index(-1);
+    });
+  };
+  // Several loops, and several exceptions in many of the parts that a thread takes.
+  const auto check = [](Index i) {
+    if (i >= 777 && i % 5 == 2) throw Thrown{i};
+  };
+  for (const Index at : thrown_by([&] { parallel_for(20000, check); })) CHECK(at == 777);
+  for (const Index at : thrown_by([&] {
+         parallel_for_chunks(20000, 16, [&](Index begin, Index end) {
+           for (Index i = begin; i < end; ++i) check(i);
+         });
+       }))
+    CHECK(at == 777);
+  for (const Index at : thrown_by([&] { ordered_sum(20000, 0.0, [&](Index i) { return check(i), 1.0; }); }))
+    CHECK(at == 777);
+  for (const Index at : thrown_by([&] { parallel_for(777, check); })) CHECK(at == -1);
+  // The next loop is sound.
+  for (const double sum : with_threads([] { return ordered_sum(20000, 0.0, [](Index) { return 1.0; }); }))
+    CHECK(sum == 20000);
+}
+
 TEST_CASE("loops visit each index once", "[core]") {
   for (const auto &visits : with_threads([] {
          std::vector<int> count(3001, 0);

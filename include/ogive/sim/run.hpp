@@ -138,7 +138,8 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunO
 /// every `observe_every` and at the end, after a fault too; if it returns false the run stops. `pause(model, state)`
 /// (both const) is asked before every step and before the end; if it returns true the run pauses. A later call with the
 /// same `state` resumes there with the same results as without a pause; a new state begins a run. Prints nothing and
-/// throws nothing of its own.
+/// throws nothing of its own. Exceptions of a flow law, a kernel, `observer` or `pause` reach the caller, with any
+/// number of threads: the state of the model is then unspecified, and files that were written before are whole.
 template <class T, class Bodies, class Observer, class Pause>
 RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T> &state, Observer &&observer,
               Pause &&pause) {
