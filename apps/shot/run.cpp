@@ -6,6 +6,7 @@
 #include "ogive/io/write_error.hpp"
 #include "options/folder_lock.hpp"
 #include "options/out_folder.hpp"
+#include "options/threads.hpp"
 #include "plates.hpp"
 #include "report.hpp"
 #include "signals.hpp"
@@ -68,11 +69,16 @@ void prepare_out(const Options &o) {
   options::prepare_out(o.out, estimated_bytes(o), "; a longer --output-every-us or --no-vtk needs less");
 }
 
+void use_threads(const Options &o) {
+  options::require_threads(o.threads.value_or(omp_get_max_threads()));
+  if (o.threads) omp_set_num_threads(*o.threads);
+}
+
 Outcome run(const Options &o, Output output) {
   const auto plates = plates_of(o);
   // A study has seen to the threads of all its shots.
+  if (output == Output::all) use_threads(o);
   prepare_out(o);
-  if (o.threads) omp_set_num_threads(*o.threads);
 
   const options::FolderLock lock(o.out / ".lock", options::FolderLock::exclusive,
                                  "another run writes its results there; wait for its end, or give another folder");
