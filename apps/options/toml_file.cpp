@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "toml_file.hpp"
 
+// Errors are caught here, whatever the flags of a project say.
+#undef TOML_EXCEPTIONS
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 

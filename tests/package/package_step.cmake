@@ -40,7 +40,12 @@ elseif(STEP STREQUAL "package_without_vtk")
   set(WITH_VTK OFF)
   consume(package_without_vtk -D CMAKE_CXX_COMPILER=${CXX} ${from_prefix} -D CMAKE_DISABLE_FIND_PACKAGE_VTK=ON)
 elseif(STEP STREQUAL "subdirectory")
-  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE})
+  consume(subdirectory -D CMAKE_CXX_COMPILER=${CXX} -D OGIVE_SOURCE=${SOURCE} -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
+  # Warnings of the user's project are for its own files.
+  file(READ "${WORK}/subdirectory/compile_commands.json" commands)
+  if(NOT commands MATCHES "-isystem ${SOURCE}/include " OR commands MATCHES "-I ?${SOURCE}/include ")
+    message(FATAL_ERROR "the headers of a subdirectory are not those of a system:\n${commands}")
+  endif()
 elseif(STEP STREQUAL "compilers")
   # refused(<header> <error> <flag>...): reading the header with the flags ends with that error before all others.
   function(refused header error)
