@@ -114,9 +114,16 @@ inline std::string pvd_text(const VtkSeries &series) {
   return text + "  </Collection>\n</VTKFile>\n";
 }
 
-/// Writes all parts of a frame and lists them in the series' .pvd, which at any moment names whole files only. Throws
-/// SetupError for a part name that is used twice or is not made of letters, digits, '-', '_' and '.', and WriteError if
-/// a file cannot be written; the frames before then stay as they are.
+///@{
+/// Whether a part has nothing to show: no particle or no hex.
+inline bool is_empty(const PointCloud &cloud) { return cloud.positions.empty(); }
+inline bool is_empty(const HexGrid &grid) { return grid.hexes.empty(); }
+///@}
+
+/// Writes the parts of a frame and lists them in the series' .pvd, which at any moment names whole files only. A part
+/// that is empty, such as particles that hexes have yet to turn into, is left out: not every reader takes a file
+/// without cells. Throws SetupError for a part name that is used twice or is not made of letters, digits, '-', '_' and
+/// '.', and WriteError if a file cannot be written; the frames before then stay as they are.
 inline void add_frame(VtkSeries &series, const Frame &frame) {
   char number[16];
   std::snprintf(number, sizeof number, "%04d", series.frames);
@@ -125,6 +132,7 @@ inline void add_frame(VtkSeries &series, const Frame &frame) {
   const auto add = [&](const auto &part) {
     require(plain_file_name(part.name) && names.insert(part.name).second, "name of a part of " + series.name, part.name,
             "must be used once and be made of letters, digits, '-', '_' and '.'");
+    if (is_empty(part)) return;
     const std::string file = "frames/" + series.name + "_" + part.name + "_" + number + ".vtu";
     const auto grid = to_vtk(part);
     add_symmetry(grid, frame.symmetry);
