@@ -94,7 +94,8 @@ void draw_with_gnuplot(const std::string &commands, const std::filesystem::path 
   if (!gnuplot_available()) throw ogive::write_error(picture, "gnuplot is not installed or not in PATH");
   const std::string script = style(picture.extension() == ".png", size) + "set output " + gnuplot_file(temporary) +
                              "; " + commands + "; unset output";
-  const int status = run_gnuplot({"-e", script});
+  // Settings of the user in ~/.gnuplot or of the machine would change the picture.
+  const int status = run_gnuplot({"-d", "-e", script});
   std::error_code error, ignored;
   const bool drawn = status == 0 && std::filesystem::file_size(temporary, error) > 0 && !error;
   if (drawn) std::filesystem::rename(temporary, picture, error);
