@@ -37,6 +37,12 @@ function(ogive_header_library name)
   add_library(${target} INTERFACE)
   add_library(ogive::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
+  # A project that has ogive as a subdirectory may switch on any warning for its own files: ogive's indices have a sign, which
+  # -Wsign-conversion reports at every array.
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    set_property(TARGET ${target} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES
+                                           "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>")
+  endif()
   target_sources(
     ${target}
     INTERFACE FILE_SET

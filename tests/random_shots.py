@@ -29,6 +29,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MOST_PARTICLES = 6000
+MOST_PARTICLES_TO_THE_END = 1500
 ENERGY_ERROR = 0.01
 REFUSED = ("a hex has no volume left at its point", "the stable time step fell to")
 
@@ -86,7 +87,7 @@ def random_shot(draw):
     least = diameter / 2 / math.cos(turn) + depth * math.tan(turn)
     radius = least * 1.25 + 0.4 * diameter
     extent, part = ("half", 0.5) if oblique else ("quarter", 0.25)
-    finest = (part * math.pi * radius**2 * thickness * plates / MOST_PARTICLES) ** (1 / 3)
+    finest = (part * math.pi * radius**2 * thickness * plates / MOST_PARTICLES_TO_THE_END) ** (1 / 3)
     spacing = 0.999 * min(max(finest, diameter / 20), thickness / 2, (radius - least) / 2.1)
     case = {
         "material": draw.choice(["weldox_460e", "aa5083_h116"]),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model.hpp"
 
+#include "ogive/io/text.hpp"
 #include "page.hpp"
 #include "scene.hpp"
 

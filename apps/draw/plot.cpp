@@ -60,7 +60,8 @@ std::string gnuplot_quoted(const std::string &text) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     // It takes a digit behind three octal ones for a fourth.
-    escaped = !(byte >= 0x80 || (std::isdigit(byte) && !escaped) || std::isalpha(byte) || c == ' ' || c == '/' ||
+    const bool is_digit = c >= '0' && c <= '9';
+    escaped = !(byte >= 0x80 || (is_digit ? !escaped : ogive::is_letter_or_digit(c)) || c == ' ' || c == '/' ||
                 c == '.' || c == '_' || c == '-');
     quoted += escaped ? options::printed("\\%03o", static_cast<unsigned>(byte)) : std::string(1, c);
   }
@@ -82,7 +83,8 @@ void draw_with_gnuplot(const std::string &commands, const std::filesystem::path 
   if (!gnuplot_available()) throw ogive::write_error(picture, "gnuplot is not installed or not in PATH");
   const std::string script = style(picture.extension() == ".png", size) + "set output " + gnuplot_file(temporary) +
                              "; " + commands + "; unset output";
-  const int status = run_gnuplot({"-e", script});
+  // Settings of the user in ~/.gnuplot or of the machine would change the picture.
+  const int status = run_gnuplot({"-d", "-e", script});
   std::error_code error, ignored;
   const bool drawn = status == 0 && std::filesystem::file_size(temporary, error) > 0 && !error;
   if (drawn) std::filesystem::rename(temporary, picture, error);

@@ -10,6 +10,7 @@
 
 #include "ogive/fem/hex8.hpp"
 #include "ogive/io/read_frame.hpp"
+#include "ogive/io/text.hpp"
 
 #include <iostream>
 

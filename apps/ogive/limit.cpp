@@ -9,6 +9,8 @@
 #include "study/plots.hpp"
 
 #include "ogive/io/atomic_file.hpp"
+#include "ogive/io/text.hpp"
+#include "ogive/io/write_error.hpp"
 
 #include <iostream>
 
@@ -34,17 +36,17 @@ options::Table table_of(shot::Options &o, LimitOptions &l) {
 }
 // clang-format on
 
-std::string with_error(double value, const ogive::ParameterReport<double> &report, const char *form) {
-  const std::string text = options::printed(form, value);
-  if (report.standard_error) return text + " +- " + options::printed(form, *report.standard_error);
+std::string with_error(double value, const ogive::ParameterReport<double> &report, int decimals) {
+  const std::string text = ogive::with_decimals(value, decimals);
+  if (report.standard_error) return text + " +- " + ogive::with_decimals(*report.standard_error, decimals);
   return text + (report.origin == ogive::ParameterOrigin::held ? " (held)" : "");
 }
 
 void print_fit(const ogive::BallisticFit<double> &fit) {
-  std::printf("  %-22s %s m/s\n", "limit of the fit", with_error(fit.curve.limit, fit.limit, "%.1f").c_str());
+  std::printf("  %-22s %s m/s\n", "limit of the fit", with_error(fit.curve.limit, fit.limit, 1).c_str());
   std::printf("  %-22s a %s, p %s, %zu shots, rms %.1f m/s\n", "v_r = a (v^p-v_l^p)^1/p",
-              with_error(fit.curve.a, fit.a, "%.3f").c_str(), with_error(fit.curve.p, fit.p, "%.2f").c_str(),
-              fit.points, fit.rms);
+              with_error(fit.curve.a, fit.a, 3).c_str(), with_error(fit.curve.p, fit.p, 2).c_str(), fit.points,
+              fit.rms);
 }
 
 /// Prints the bracket of the limit and returns its middle; nothing if there is no limit.

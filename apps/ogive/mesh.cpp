@@ -29,6 +29,7 @@ int mesh(const options::Arguments &arguments) {
   if (!line) return options::success;
   shot::Options o = shot::settled(shot::levels_of(*line));
   if (o.out == shot::default_out(o)) o.out += "_mesh";
+  shot::use_threads(o);
   shot::prepare_out(o);
   const auto bodies = shot::write_model(o, shot::plates_of(o));
   std::printf("Model of %s\n", o.out.c_str());

@@ -2,8 +2,12 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <clocale>
+#include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <locale.h>
 #include <numeric>
 #include <utility>
 
@@ -27,6 +31,19 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }
 
 } // namespace
+
+std::string printed(const char *format, ...) {
+  // Of this thread alone, until the text is made.
+  static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", locale_t{});
+  const locale_t users = ::uselocale(plain);
+  char text[400];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  ::uselocale(users);
+  return text;
+}
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;

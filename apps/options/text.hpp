@@ -3,8 +3,6 @@
 
 #include "ogive/io/text.hpp"
 
-#include <cstdarg>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,15 +18,8 @@ using ogive::number_from;
 using ogive::printable;
 using ogive::shortest;
 
-/// The text that std::printf would print, cut after 400 characters.
-[[gnu::format(printf, 1, 2)]] inline std::string printed(const char *format, ...) {
-  char text[400];
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  return text;
-}
+/// The text that std::printf would print in the locale "C", cut after 400 characters.
+[[gnu::format(printf, 1, 2)]] std::string printed(const char *format, ...);
 
 /// Texts or numbers with `separator` between them.
 template <class List> std::string joined(const List &items, const std::string &separator = ", ") {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "toml_file.hpp"
 
+// Errors are caught here, whatever the flags of a project say.
+#undef TOML_EXCEPTIONS
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <memory>
 
@@ -53,6 +57,62 @@ Given given_from(const std::vector<std::string> &lines, const std::string &key, 
   return given;
 }
 
+/// Most parts of a key and most brackets around a value: the parser goes deeper by a call for each, until its stack
+/// overflows. Files of ogive have keys of one part, and lists.
+constexpr int most_parts = 16, most_brackets = 16;
+
+/// Place behind the quoted text that begins at `at`; without an end on its line, or at all, the parser refuses it.
+std::size_t behind_quoted(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const std::string three(3, quote);
+  const bool long_text = text.substr(at, 3) == three;
+  for (std::size_t k = at + (long_text ? 3 : 1); k < text.size(); ++k) {
+    if (text[k] == '\\' && quote == '"') {
+      ++k;
+    } else if (long_text && text.substr(k, 3) == three) {
+      // Two more may belong to the text.
+      for (at = k + 3; at < std::min(k + 5, text.size()) && text[at] == quote;) ++at;
+      return at;
+    } else if (!long_text && text[k] == quote) {
+      return k + 1;
+    } else if (!long_text && text[k] == '\n') {
+      return k;
+    }
+  }
+  return text.size();
+}
+
+/// Throws SetupError for keys of too many parts and values in too many brackets.
+void require_shallow(std::string_view text, const std::string &file) {
+  int parts = 1, brackets = 0;
+  std::size_t line = 1, counted = 0;
+  const auto require = [&](bool ok, const std::string &allowed) {
+    if (!ok) throw ogive::SetupError(printable(file + ":" + std::to_string(line)) + ": " + allowed);
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    line += static_cast<std::size_t>(std::count(text.begin() + counted, text.begin() + at, '\n'));
+    counted = at;
+    const char c = text[at];
+    if (c == '"' || c == '\'') {
+      at = behind_quoted(text, at);
+      continue;
+    }
+    if (c == '#') {
+      at = std::min(text.find('\n', at), text.size());
+      continue;
+    }
+    if (c == '.')
+      ++parts;
+    else if (c == '\n' || c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}')
+      parts = 1;
+    if (c == '[' || c == '{') ++brackets;
+    if (c == ']' || c == '}') brackets = std::max(0, brackets - 1);
+    require(parts <= most_parts, "a key must have at most " + std::to_string(most_parts) + " parts");
+    require(brackets <= most_brackets, "brackets must lie at most " + std::to_string(most_brackets) + " deep");
+    ++at;
+  }
+}
+
 } // namespace
 
 std::string text_of_file(const std::filesystem::path &name, const std::string &what, const std::string &kind,
@@ -77,6 +137,7 @@ std::string text_of_file(const std::filesystem::path &name, const std::string &w
 }
 
 std::vector<Given> toml_entries(std::string_view text, const std::string &file, const std::string &example) {
+  require_shallow(text, file);
   toml::table table;
   try {
     table = toml::parse(text, file);

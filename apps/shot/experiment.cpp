@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiment.hpp"
 
+#include "ogive/core/error.hpp"
 #include "ogive/io/csv_rows.hpp"
 #include "options/text.hpp"
 

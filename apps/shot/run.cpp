@@ -2,9 +2,11 @@
 #include "run.hpp"
 
 #include "materials/library.hpp"
+#include "ogive/io/text.hpp"
 #include "ogive/io/write_error.hpp"
 #include "options/folder_lock.hpp"
 #include "options/out_folder.hpp"
+#include "options/threads.hpp"
 #include "plates.hpp"
 #include "report.hpp"
 #include "resume.hpp"
@@ -13,7 +15,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -26,8 +27,8 @@ namespace fs = std::filesystem;
 
 /// Text as a shell takes it for one word.
 std::string shell_word(const std::string &text) {
-  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) || std::strchr("/._-+=:,@%", c) != nullptr;
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return ogive::is_letter_or_digit(c) || std::strchr("/._-+=:,@%", c) != nullptr;
   });
   if (plain) return text;
   std::string quoted = "'";
@@ -109,11 +110,17 @@ void prepare_out(const Options &o) {
   options::prepare_out(o.out, estimated_bytes(o), "; a longer --output-every-us or --no-vtk needs less");
 }
 
+void use_threads(const Options &o) {
+  options::require_threads(o.threads.value_or(omp_get_max_threads()));
+  if (o.threads) omp_set_num_threads(*o.threads);
+}
+
 Outcome run(const Options &o, Output output) {
   const auto plates = plates_of(o);
   const bool prints = output == Output::all;
+  // A study has seen to the threads of all its shots.
+  if (prints) use_threads(o);
   prepare_out(o);
-  if (o.threads) omp_set_num_threads(*o.threads);
 
   auto lock = lock_results(o);
   if (const std::string reason = other_results(o); !reason.empty()) {
@@ -129,7 +136,6 @@ Outcome run(const Options &o, Output output) {
   const auto test = find_test(o);
   Outcome outcome;
   Result &shot = outcome.shot;
-  char text[200];
   const auto ends_with = [&](int status, const std::string &problem) {
     outcome.status = status;
     outcome.problem = problem;
@@ -142,8 +148,8 @@ Outcome run(const Options &o, Output output) {
     return ends_with(not_finished, error.what());
   }
   if (shot.interrupted_by != 0) {
-    std::snprintf(text, sizeof text, "interrupted by %s at %.3f us", signal_name(shot.interrupted_by).c_str(),
-                  shot.simulated_us);
+    const std::string text = "interrupted by " + signal_name(shot.interrupted_by) + " at " +
+                             ogive::with_decimals(shot.simulated_us, 3) + " us";
     if (prints) print_problem(o, text);
     return ends_with(interrupted + shot.interrupted_by, text);
   }
@@ -153,8 +159,8 @@ Outcome run(const Options &o, Output output) {
     if (const std::string left_out = draw(o, shot, test); !left_out.empty())
       std::fprintf(stderr, "ogive shoot: left out: %s\n", left_out.c_str());
   if (!shot.fault) return outcome;
-  std::snprintf(text, sizeof text, "stopped at %.3f us: ", shot.fault->time_us);
-  const std::string problem = text + described(*shot.fault);
+  const std::string problem =
+      "stopped at " + ogive::with_decimals(shot.fault->time_us, 3) + " us: " + described(*shot.fault);
   if (prints) std::fprintf(stderr, "ogive shoot: %s\n", problem.c_str());
   return ends_with(not_finished, problem);
 }

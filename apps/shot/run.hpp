@@ -32,6 +32,9 @@ struct Outcome {
 /// Runs a case and writes its results. Throws SetupError, and then nothing was run or overwritten.
 Outcome run(const Options &options, Output output);
 
+/// Gives OpenMP the threads of the options. Throws SetupError where so many cannot be started.
+void use_threads(const Options &options);
+
 /// Creates the folder `options.out` and proves with a small file of its own, removed at once, that it can be written to
 /// and has room for the run. Leaves what is there untouched. Throws SetupError, one line, and then leaves no new folder
 /// behind.

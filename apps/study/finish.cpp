@@ -3,6 +3,7 @@
 
 #include "options/exit_status.hpp"
 #include "options/out_folder.hpp"
+#include "options/threads.hpp"
 #include "shot/run.hpp"
 #include "shot/signals.hpp"
 
@@ -52,6 +53,9 @@ int run_study(const char *program, const Study &study, bool runs, const std::fun
   Outcome all;
   if (runs) {
     constexpr double bytes = 64e6; // of a shot with frames or of a checkpoint
+    // Beside the threads of the shots, this one waits.
+    options::require_threads(1 + study.jobs * threads_of(study, study.jobs), "threads of all --jobs",
+                             "fewer --jobs or --threads");
     options::prepare_out(study.out, bytes, "");
     const StudyLock lock = lock_study(study);
     const shot::SignalCatcher catcher;

@@ -3,6 +3,7 @@
 
 #include "instances/fits.hpp"
 #include "materials/library.hpp"
+#include "ogive/io/text.hpp"
 #include "shot/defaults.hpp"
 #include "shot/experiment.hpp"
 #include "shot/projectile.hpp"

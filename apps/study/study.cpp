@@ -7,6 +7,7 @@
 #include "shot/run.hpp"
 #include "shot/signals.hpp"
 
+#include "ogive/io/text.hpp"
 #include "ogive/io/write_error.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 
 #include <mutex>
 #include <set>
+#include <system_error>
 #include <thread>
 
 namespace study {
@@ -134,6 +136,10 @@ void add(Outcome &all, const Outcome &more) {
   if (all.stopped_by == 0) all.stopped_by = more.stopped_by;
 }
 
+int threads_of(const Study &study, int workers) {
+  return study.threads.value_or(std::max(1, cores() / std::max(1, workers)));
+}
+
 int cores() { return std::max(1, omp_get_num_procs()); }
 
 std::string folder_name(const Key &key, const Texts &own_columns) {
@@ -193,14 +199,17 @@ Outcome run_chosen(const Study &study, std::size_t at_once, const NextCase &next
   fs::create_directories(study.out / "shots", error);
   if (error) throw ogive::write_error(study.out / "shots", error.message());
   const int workers = static_cast<int>(std::clamp<std::size_t>(at_once, 1, static_cast<std::size_t>(study.jobs)));
-  Work w{.study = study,
-         .report = report,
-         .threads = study.threads.value_or(std::max(1, cores() / workers)),
-         .next = next};
+  Work w{.study = study, .report = report, .threads = threads_of(study, workers), .next = next};
   w.rows = read_all_rows(study.out, study.own_columns);
   {
     std::vector<std::jthread> threads;
-    for (int k = 0; k < workers; ++k) threads.emplace_back([&w] { work(w); });
+    try {
+      for (int k = 0; k < workers; ++k) threads.emplace_back([&w] { work(w); });
+    } catch (const std::system_error &error) {
+      if (threads.empty())
+        options::refuse("--jobs", std::to_string(study.jobs), "no thread can be started: " + error.code().message());
+      // Those that could be started do all the work.
+    }
   }
   w.outcome.stopped_by = shot::caught_signal();
   return w.outcome;

@@ -43,6 +43,9 @@ using Report = std::function<void(const std::string &line)>;
 /// one thread at a time.
 using NextCase = std::function<std::optional<Case>(const std::vector<Row> &rows)>;
 
+/// Threads of each shot where `workers` shots are run at a time.
+int threads_of(const Study &study, int workers);
+
 /// A case of a study: its key and the name of its folder by the columns.
 Case case_of(const shot::Options &options, const Texts &own_columns, const std::string &name);
 

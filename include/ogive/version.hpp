@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/compiler.hpp"
+
 namespace ogive {
 
 /// The version of the library. CMakeLists.txt reads it from here.

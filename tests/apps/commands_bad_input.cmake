@@ -10,6 +10,8 @@ file(WRITE "${folder}/unknown.csv" "thickness\n8\n")
 file(WRITE "${folder}/short.csv" "thickness_mm,nose\n8\n")
 file(WRITE "${folder}/negative.csv" "thickness_mm,nose\n8,blunt\n-3,blunt\n")
 file(WRITE "${folder}/empty.csv" "thickness_mm\n")
+string(REPEAT "a." 40000 parts)
+file(WRITE "${folder}/deep.toml" "# a key\n${parts}a = 1\n")
 file(GLOB before RELATIVE "${folder}" "${folder}/*")
 
 include("${CMAKE_CURRENT_LIST_DIR}/refused.cmake")
@@ -19,6 +21,11 @@ refuses("${OGIVE}" "limits: unknown command, the nearest is limit; " limits --th
 refuses("${OGIVE}" "perforate: unknown command; ogive --help lists all" perforate)
 refuses("${OGIVE}" "--thickness-mm: unknown command; ogive --help lists all" --thickness-mm 8)
 refuses("${OGIVE}" "a?b: unknown command" "a\nb")
+
+refuses("${OGIVE};shoot" "deep.toml:2: a key must have at most 16 parts" --config deep.toml)
+refuses("${OGIVE};shoot" "deep.toml:2: a key must have at most 16 parts" --material deep.toml)
+refuses("${OGIVE};calibrate" "deep.toml:2: a key must have at most 16 parts" --config deep.toml)
+refuses("${OGIVE};materials" "deep.toml:2: a key must have at most 16 parts" check deep.toml)
 
 set(limit "${OGIVE};limit")
 refuses("${limit}" "--width-mps = 0: must lie between 0.1 and 500 m/s" --width-mps 0)

@@ -70,13 +70,58 @@ TEST_CASE("a fold keeps its order even if the operation does not commute", "[cor
   }
 }
 
-TEST_CASE("the extremes respect the start and ignore what is not a number", "[core]") {
-  const std::vector<double> values = {3, -2, std::nan(""), 7, 5};
+TEST_CASE("the extremes respect the start", "[core]") {
+  const std::vector<double> values = {3, -2, 0, 7, 5};
   const auto value = [&](Index i) { return values[i]; };
   CHECK(parallel_min(Index(5), 100.0, value) == -2);
   CHECK(parallel_min(Index(5), -9.0, value) == -9);
   CHECK(parallel_max(Index(5), -100.0, value) == 7);
   CHECK(parallel_max(Index(0), 4.0, value) == 4);
+}
+
+TEST_CASE("the extremes keep what is not a number, wherever it is", "[core]") {
+  constexpr Index count = 5000; // several blocks
+  for (const Index at : {0, 1, 1023, 1024, 3000, 4999}) {
+    const auto value = [&](Index i) { return i == at ? std::nan("") : double(i); };
+    for (const double low : with_threads([&] { return parallel_min(count, 1e9, value); })) CHECK(std::isnan(low));
+    for (const double high : with_threads([&] { return parallel_max(count, -1e9, value); })) CHECK(std::isnan(high));
+  }
+  for (const double low : with_threads([] { return parallel_min(count, std::nan(""), awkward); }))
+    CHECK(std::isnan(low));
+  CHECK(parallel_min(count, 7, [](Index i) { return 9 - i; }) == 9 - (count - 1));
+}
+
+TEST_CASE("an exception leaves a loop, that of the lowest index", "[core]") {
+  struct Thrown {
+    Index at = -1;
+  };
+  const auto thrown_by = [](auto &&loop) {
+    return with_threads([&] {
+      try {
+        loop();
+      } catch (const Thrown &thrown) {
+        return thrown.at;
+      }
+      return Index(-1);
+    });
+  };
+  // Several loops, and several exceptions in many of the parts that a thread takes.
+  const auto check = [](Index i) {
+    if (i >= 777 && i % 5 == 2) throw Thrown{i};
+  };
+  for (const Index at : thrown_by([&] { parallel_for(20000, check); })) CHECK(at == 777);
+  for (const Index at : thrown_by([&] {
+         parallel_for_chunks(20000, 16, [&](Index begin, Index end) {
+           for (Index i = begin; i < end; ++i) check(i);
+         });
+       }))
+    CHECK(at == 777);
+  for (const Index at : thrown_by([&] { ordered_sum(20000, 0.0, [&](Index i) { return check(i), 1.0; }); }))
+    CHECK(at == 777);
+  for (const Index at : thrown_by([&] { parallel_for(777, check); })) CHECK(at == -1);
+  // The next loop is sound.
+  for (const double sum : with_threads([] { return ordered_sum(20000, 0.0, [](Index) { return 1.0; }); }))
+    CHECK(sum == 20000);
 }
 
 TEST_CASE("loops visit each index once", "[core]") {

@@ -2,6 +2,7 @@
 #include "draw/plot.hpp"
 
 #include "io/temporary_folder.hpp"
+#include "locale.hpp"
 #include "ogive/io/csv.hpp"
 
 #include "catch.hpp"
@@ -54,6 +55,40 @@ TEST_CASE("the velocities of several histories become one plot") {
   const std::string svg = read_text(folder.path / "both.svg");
   for (const char *text : {"two shots", "12 mm", "16 mm"}) CHECK(has(svg, text));
   CHECK_FALSE(has(svg, "computed"));
+}
+
+TEST_CASE("plots have a decimal point whatever the locale of the program") {
+  if (!gnuplot_available()) {
+    WARN("skipped: there is no gnuplot");
+    return;
+  }
+  const TemporaryFolder folder;
+  const GermanLocale german;
+  VelocityPlot plot{"", {{sample_history(folder.path)}}};
+  plot.measured_residual_m_per_s = 199.75;
+  write_velocity_plot(plot, folder.path / "velocity.svg");
+  CHECK(has(read_text(folder.path / "velocity.svg"), "measured residual velocity: 199.75 m/s"));
+}
+
+TEST_CASE("a plot does not read the settings of the user") {
+  if (!gnuplot_available()) {
+    WARN("skipped: there is no gnuplot");
+    return;
+  }
+  const TemporaryFolder folder;
+  const char *const home = std::getenv("HOME");
+  const std::string before = home == nullptr ? "" : home;
+  write_velocity_plot({"", {{sample_history(folder.path)}}}, folder.path / "plain.svg");
+  std::ofstream(folder.path / ".gnuplot") << "set title 'of the user'\nset label 'of the user' at graph 0.5, 0.5\n";
+  ::setenv("HOME", folder.path.c_str(), 1);
+  write_velocity_plot({"", {{sample_history(folder.path)}}}, folder.path / "velocity.svg");
+  std::ofstream(folder.path / ".gnuplot") << "exit status 3\n";
+  const bool drawn = gnuplot_available();
+  write_velocity_plot({"", {{sample_history(folder.path)}}}, folder.path / "again.svg");
+  home == nullptr ? ::unsetenv("HOME") : ::setenv("HOME", before.c_str(), 1);
+  CHECK(drawn);
+  CHECK(read_text(folder.path / "velocity.svg") == read_text(folder.path / "plain.svg"));
+  CHECK(read_text(folder.path / "again.svg") == read_text(folder.path / "plain.svg"));
 }
 
 TEST_CASE("names and titles are data to gnuplot, never commands") {

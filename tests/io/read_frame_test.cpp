@@ -97,20 +97,24 @@ TEST_CASE("a frame reads back as it was written") {
   }
 }
 
-TEST_CASE("each symmetry reads back, and a part without particles too") {
+TEST_CASE("each symmetry reads back, and an empty part is not written") {
   const TemporaryFolder folder;
   for (const auto &planes : {SymmetryPlanes{}, SymmetryPlanes{false, true}, SymmetryPlanes{true, true}}) {
     auto series = open_series(folder.path, "run");
     Frame frame;
     frame.symmetry = planes;
     frame.clouds.push_back({"empty", 7, 1e-3F, {}, {{"plastic_strain", 1, {}}}});
+    frame.clouds.push_back({"one", 8, 1e-3F, {Vec3<float>(0.1F, 0.1F, 0.1F)}, {{"plastic_strain", 1, {0.5F}}}});
+    frame.grids.push_back({"removed", 9, {}, {}, {}, {{"plastic_strain", 1, {}}}});
     add_frame(series, frame);
+    CHECK(count_files(folder.path) == 2);
     const Frame read = read_frame(read_series(pvd_path(series)), 0);
     CHECK(read.symmetry.x == planes.x);
     CHECK(read.symmetry.y == planes.y);
     REQUIRE(read.clouds.size() == 1);
-    CHECK(read.clouds[0].part == 7);
-    CHECK(read.clouds[0].positions.empty());
+    CHECK(read.clouds[0].part == 8);
+    CHECK(read.clouds[0].positions.size() == 1);
+    CHECK(read.grids.empty());
   }
 }
 

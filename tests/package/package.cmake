@@ -11,6 +11,7 @@ function(add_package_test name step)
       ${CMAKE_COMMAND} -D STEP=${step} -D SOURCE=${PROJECT_SOURCE_DIR} -D WORK=${work} -D
       CONSUMER=${CMAKE_CURRENT_SOURCE_DIR}/package/consumer -D BUILD=${PROJECT_BINARY_DIR} -D GENERATOR=${CMAKE_GENERATOR} -D
       CXX=${CMAKE_CXX_COMPILER} -D CLANGXX=${clangxx} -D VERSION=${PROJECT_VERSION} -D WITH_VTK=$<TARGET_EXISTS:ogive::vtk>
+      -D EIGEN=$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>
       -P "${CMAKE_CURRENT_SOURCE_DIR}/package/package_step.cmake")
   set_tests_properties("package:${name}" PROPERTIES TIMEOUT 900 SKIP_REGULAR_EXPRESSION "SKIPPED")
 endfunction()
@@ -26,6 +27,7 @@ set_tests_properties(
   "package:every header compiles alone" "package:found where it was installed" "package:the same without VTK"
   "package:compiled by Clang" "package:other versions are refused" PROPERTIES FIXTURES_REQUIRED installed)
 add_package_test("a subdirectory" subdirectory)
+add_package_test("compilers that do not fit are refused" compilers)
 if(TARGET ogive_main AND OGIVE_INSTALL)
   add_package_test("programs, data and completion" programs)
 endif()

@@ -4,6 +4,7 @@
 
 #include "ogive/mesh/facets.hpp"
 
+#include <cmath>
 #include <limits>
 
 using namespace sim_test;
@@ -296,4 +297,15 @@ TEST_CASE("what has been let go may lie anywhere", "[sim]") {
   model.contacts.push_back(std::move(contact));
   CHECK(run(model, RunOptions<double>{.end_time = 15e-6}, go_on).reason == StopReason::end_time);
   CHECK(model.nodes.position.back()[2] < -2e-3);
+}
+
+TEST_CASE("a value that is not a number is not lost in the choice of the time step", "[sim]") {
+  auto model = two_bodies();
+  std::get<0>(model.bodies).points.velocity_gradient[7](1, 0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK(std::isnan(stable_time_step(model)));
+  const RunResult result = run(model, RunOptions<double>{.end_time = 1e-6}, go_on);
+  REQUIRE(result.fault);
+  CHECK(result.fault->body == "particles");
+  CHECK(result.fault->id == 7);
+  CHECK(model.steps == 0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/extremes.hpp"
 #include "ogive/fem/hex_force.hpp"
 
 #include <algorithm>
@@ -140,7 +141,7 @@ T step_of_strain(SelectiveReduced, const HexBody<T, Law, Rule> &body, Index e) {
   constexpr int points = SelectiveReduced::points;
   T fastest = std::numeric_limits<T>::min();
   for (int p = 0; p < points; ++p)
-    fastest = std::max(fastest, full(symmetric_part(body.points.velocity_gradient[e * points + p])).squaredNorm());
+    fastest = most(fastest, full(symmetric_part(body.points.velocity_gradient[e * points + p])).squaredNorm());
   return T(largest_point_strain) / std::sqrt(fastest);
 }
 
@@ -153,7 +154,7 @@ template <class T, class Law, class Rule> T step_of_strain(OnePoint, const HexBo
 template <class T, class Law, class Rule>
 T stable_time_step_of_hex(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, Index e) {
   return with_choice(body.rule, [&]<class Chosen>(Chosen rule) {
-    return std::min(stable_time_step(fastest_motion<Chosen>(body, nodes, e)), step_of_strain(rule, body, e));
+    return least(stable_time_step(fastest_motion<Chosen>(body, nodes, e)), step_of_strain(rule, body, e));
   });
 }
 
@@ -210,7 +211,7 @@ Index shortest_step_at(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes)
     if (!is_removed(body, e)) steps[e] = stable_time_step_of_hex(body, nodes, e);
   });
   const T shortest = parallel_min(count, none, [&](Index e) { return steps[e]; });
-  return parallel_min(count, count, [&](Index e) { return steps[e] <= shortest ? e : count; });
+  return parallel_min(count, count, [&](Index e) { return steps[e] <= shortest || is_nan(steps[e]) ? e : count; });
 }
 
 /// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/compiler.hpp"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -11,7 +13,7 @@
 #include <system_error>
 
 /// \file
-/// Text that users type, and numbers in it.
+/// Text that users type, and numbers in it. The locale of the program has no part in any of it.
 
 namespace ogive {
 
@@ -32,6 +34,32 @@ inline std::string shortest(double number) {
   const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, format).ptr;
   return {digits.data(), end};
+}
+
+namespace text_detail {
+
+inline std::string formatted(double number, std::chars_format format, int precision) {
+  // The largest double has 309 digits before the point.
+  std::array<char, 400> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, format, precision).ptr;
+  return {text.data(), end};
+}
+
+} // namespace text_detail
+
+/// A number in at most `digits` significant digits: what %.<digits>g of printf gives in the locale "C".
+inline std::string with_digits(double number, int digits) {
+  return text_detail::formatted(number, std::chars_format::general, digits);
+}
+
+/// A number with `decimals` digits behind the point, at most 60: what %.<decimals>f of printf gives in the locale "C".
+inline std::string with_decimals(double number, int decimals) {
+  return text_detail::formatted(number, std::chars_format::fixed, decimals);
+}
+
+/// Whether `c` is one of A-Z, a-z and 0-9, in every locale.
+constexpr bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
 /// A number from all of `text`, nothing if it holds anything else; infinity where it is too large for a double.

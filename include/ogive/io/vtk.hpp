@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ogive/io/atomic_file.hpp"
+#include "ogive/io/text.hpp"
 #include "ogive/io/vtk_data_set.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -62,7 +62,7 @@ struct VtkSeries {
 
 /// Whether `name` can be part of a file name and of XML as it is: letters, digits, '-', '_' and '.', not '.' first.
 inline bool plain_file_name(const std::string &name) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_' || c == '.'; };
+  const auto plain = [](char c) { return is_letter_or_digit(c) || c == '-' || c == '_' || c == '.'; };
   return !name.empty() && name[0] != '.' && std::all_of(name.begin(), name.end(), plain);
 }
 
@@ -108,17 +108,22 @@ inline std::string pvd_text(const VtkSeries &series) {
   std::string text = "<?xml version=\"1.0\"?>\n<!-- timestep: time in microseconds; positions in mm -->\n"
                      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
   for (const auto &entry : series.entries) {
-    char timestep[32];
-    std::snprintf(timestep, sizeof timestep, "%.9g", 1e6 * entry.time);
-    text += std::string("    <DataSet timestep=\"") + timestep + "\" part=\"" + std::to_string(entry.part) +
+    text += "    <DataSet timestep=\"" + with_digits(1e6 * entry.time, 9) + "\" part=\"" + std::to_string(entry.part) +
             "\" name=\"" + entry.part_name + "\" file=\"" + entry.file + "\"/>\n";
   }
   return text + "  </Collection>\n</VTKFile>\n";
 }
 
-/// Writes all parts of a frame and lists them in the series' .pvd, which at any moment names whole files only. Throws
-/// SetupError for a part name that is used twice or is not made of letters, digits, '-', '_' and '.', and WriteError if
-/// a file cannot be written; the frames before then stay as they are.
+///@{
+/// Whether a part has nothing to show: no particle or no hex.
+inline bool is_empty(const PointCloud &cloud) { return cloud.positions.empty(); }
+inline bool is_empty(const HexGrid &grid) { return grid.hexes.empty(); }
+///@}
+
+/// Writes the parts of a frame and lists them in the series' .pvd, which at any moment names whole files only. A part
+/// that is empty, such as particles that hexes have yet to turn into, is left out: not every reader takes a file
+/// without cells. Throws SetupError for a part name that is used twice or is not made of letters, digits, '-', '_' and
+/// '.', and WriteError if a file cannot be written; the frames before then stay as they are.
 inline void add_frame(VtkSeries &series, const Frame &frame) {
   char number[16];
   std::snprintf(number, sizeof number, "%04d", series.frames);
@@ -127,6 +132,7 @@ inline void add_frame(VtkSeries &series, const Frame &frame) {
   const auto add = [&](const auto &part) {
     require(plain_file_name(part.name) && names.insert(part.name).second, "name of a part of " + series.name, part.name,
             "must be used once and be made of letters, digits, '-', '_' and '.'");
+    if (is_empty(part)) return;
     const std::string file = "frames/" + series.name + "_" + part.name + "_" + number + ".vtu";
     const auto grid = to_vtk(part);
     add_symmetry(grid, frame.symmetry);

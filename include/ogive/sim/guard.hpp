@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/error.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/search/box.hpp"
 #include "ogive/sim/model.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <string>
 
 namespace ogive {
@@ -35,7 +35,7 @@ struct Fault {
 
 /// "(1, 2, 3) mm"
 template <class T> std::string in_mm(const Vec3<T> &x) {
-  std::ostringstream text;
+  auto text = text_stream();
   text << "(" << 1e3 * double(x[0]) << ", " << 1e3 * double(x[1]) << ", " << 1e3 * double(x[2]) << ") mm";
   return text.str();
 }
@@ -63,7 +63,7 @@ template <class T, class Bodies> std::optional<Fault> find_not_finite(const Mode
   const Index n =
       first_node(nodes, [&](Index i) { return !nodes.position[i].allFinite() || !nodes.velocity[i].allFinite(); });
   if (n < 0) return std::nullopt;
-  std::ostringstream what;
+  auto what = text_stream();
   what << "position or velocity is not a finite number: " << in_mm(nodes.position[n]) << ", ("
        << nodes.velocity[n].transpose() << ") m/s";
   return node_fault(model, FaultKind::not_finite, n, what.str());
@@ -76,7 +76,7 @@ Fault inverted_fault(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes, I
   const PointVolume<T> smallest =
       with_choice(body.rule, [&]<class Chosen>(Chosen) { return smallest_point<Chosen>(x); });
   Vec3<T> at = x.colwise().mean().transpose();
-  std::ostringstream what;
+  auto what = text_stream();
   what << "a hex has no volume left";
   if (const Index points = points_of_hex(body); points > 1) {
     what << " at its point " << smallest.point << " of " << points;
@@ -118,7 +118,7 @@ template <class T, class Bodies> std::optional<Fault> find_lost(const Model<T, B
   for (const auto &contact : model.contacts) {
     if (contact.state.lost < 0) continue;
     const Index node = contact.slaves[contact.state.lost];
-    std::ostringstream what;
+    auto what = text_stream();
     what << "lies more than " << 1e3 * double(contact.search_margin) << " mm behind the surface of the contact \""
          << contact.name << "\", at " << in_mm(model.nodes.position[node]);
     return node_fault(model, FaultKind::lost, node, what.str());
@@ -158,7 +158,7 @@ std::optional<Fault> find_astray(const Model<T, Bodies> &model, const Start<T> &
   const Index n =
       first_node(nodes, [&](Index i) { return (nodes.position[i] - start.middle).squaredNorm() > reach * reach; });
   if (n < 0) return std::nullopt;
-  std::ostringstream what;
+  auto what = text_stream();
   what << "is out of the domain, farther than " << 1e3 * double(reach) << " mm from its middle: at "
        << in_mm(nodes.position[n]) << ", " << nodes.velocity[n].norm() << " m/s";
   return node_fault(model, FaultKind::astray, n, what.str());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/compiler.hpp"
+
 #include <array>
 #include <chrono>
 #include <cstddef>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/core/error.hpp"
+#include "ogive/core/extremes.hpp"
 #include "ogive/fem/hex_time_step.hpp"
 #include "ogive/sim/energy.hpp"
 #include "ogive/sim/guard.hpp"
@@ -10,7 +12,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace ogive {
@@ -69,7 +70,7 @@ template <class T, class Bodies, class F> void for_each_deformable(const Model<T
 /// Largest stable step of all bodies that deform, s.
 template <class T, class Bodies> T stable_time_step(const Model<T, Bodies> &model) {
   T dt = std::numeric_limits<T>::max();
-  for_each_deformable(model, [&](const auto &body) { dt = std::min(dt, stable_time_step(body, model.nodes)); });
+  for_each_deformable(model, [&](const auto &body) { dt = least(dt, stable_time_step(body, model.nodes)); });
   for (const auto &contact : model.contacts)
     if (contact.state.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.state.reference_time_step);
   return dt;
@@ -106,13 +107,13 @@ std::optional<Fault> find_small_step(const Model<T, Bodies> &model, const RunOpt
   if (state.time_step >= options.smallest_step_fraction * state.first_step) return std::nullopt;
   if (auto fault = find_inverted(model)) return fault;
   if (auto fault = find_not_finite(model)) return fault;
-  std::ostringstream what;
+  auto what = text_stream();
   what << "the stable time step fell to " << state.time_step << " s, from " << state.first_step << " s";
   Fault fault{FaultKind::small_step, what.str(), "model", -1, double(model.time) * 1e6};
   T shortest = std::numeric_limits<T>::max();
   for_each_deformable(model, [&](const auto &body) {
     const T dt = stable_time_step(body, model.nodes);
-    if (!(dt < shortest)) return;
+    if (!(dt < shortest || is_nan(dt))) return;
     shortest = dt;
     fault.body = body.name, fault.id = shortest_step_at(body, model.nodes);
   });
@@ -127,7 +128,7 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunO
   if (!(state.initial_energy > T(0)) || std::abs(error) <= options.largest_energy_error) return std::nullopt;
   if (auto fault = find_not_finite(model)) return fault;
   if (auto fault = find_inverted(model)) return fault;
-  std::ostringstream what;
+  auto what = text_stream();
   what << "the error of the energy balance is " << double(error) * 100 << " %: " << total(ledger) << " J, from "
        << state.initial_energy << " J";
   return Fault{FaultKind::energy, what.str(), "model", -1, double(model.time) * 1e6};
@@ -137,7 +138,8 @@ std::optional<Fault> find_energy_error(const Model<T, Bodies> &model, const RunO
 /// every `observe_every` and at the end, after a fault too; if it returns false the run stops. `pause(model, state)`
 /// (both const) is asked before every step and before the end; if it returns true the run pauses. A later call with the
 /// same `state` resumes there with the same results as without a pause; a new state begins a run. Prints nothing and
-/// throws nothing of its own.
+/// throws nothing of its own. Exceptions of a flow law, a kernel, `observer` or `pause` reach the caller, with any
+/// number of threads: the state of the model is then unspecified, and files that were written before are whole.
 template <class T, class Bodies, class Observer, class Pause>
 RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T> &state, Observer &&observer,
               Pause &&pause) {

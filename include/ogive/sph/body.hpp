@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/core/choice.hpp"
+#include "ogive/core/extremes.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
 #include "ogive/core/types.hpp"
@@ -216,7 +217,7 @@ T stable_time_step(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
   // Debris that flies past each other at high speed would otherwise change its density by half in a step.
   const T fastest = parallel_max(body.points.size(), T(0), [&](Index i) { return squared_strain_rate(body, i); });
   const T of_waves = body.options.courant * shortest * body.spacing / sound_speed(body.metal);
-  return std::min(of_waves, body.options.largest_strain / std::sqrt(std::max(fastest, std::numeric_limits<T>::min())));
+  return least(of_waves, body.options.largest_strain / std::sqrt(std::max(fastest, std::numeric_limits<T>::min())));
 }
 
 /// The first of the particles that strain fastest: all else that the stable step depends on hardly changes.
@@ -224,7 +225,10 @@ template <class T, class Law, class K, class F>
 Index shortest_step_at(const SphBody<T, Law, K, F> &body, const Nodes<T> &) {
   const Index count = body.points.size();
   const T fastest = parallel_max(count, T(0), [&](Index i) { return squared_strain_rate(body, i); });
-  return parallel_min(count, count, [&](Index i) { return squared_strain_rate(body, i) >= fastest ? i : count; });
+  return parallel_min(count, count, [&](Index i) {
+    const T squared = squared_strain_rate(body, i);
+    return squared >= fastest || is_nan(squared) ? i : count;
+  });
 }
 
 /// Work of the stresses since the start, J.
