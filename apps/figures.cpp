@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/figures.hpp"
+
+#include "ogive/core/spinning.hpp"
 #include "options/exit_status.hpp"
 
 /// The programs of the figures of Liu et al. 2012; OGIVE_FIGURES names the one that is built.
 int main(int argc, char **argv) {
-  options::limit_spinning(argv);
+  ogive::limit_spinning(argv);
   using enum study::FigurePlot::Kind;
   const std::vector<study::Figures> programs{
       {"steel_blunt",

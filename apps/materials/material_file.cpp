@@ -36,8 +36,12 @@ template <class M> Misfits find_misfits(const M &metal, const std::vector<Given>
     return any;
   };
   Misfits misfits;
+  // Without an effect of the rate there is no rate that it refers to.
+  const Given *C = find(entries, "C");
+  const bool no_rate = C != nullptr && options::number_from(C->value) == 0.0;
   for_each_key(metal, [&](const Key &key, const auto &) {
-    if (key.required && group_is_given(key.group) && find(entries, key.name) == nullptr)
+    const bool needed = key.required && !(no_rate && key.name == std::string_view("reference_rate_per_s"));
+    if (needed && group_is_given(key.group) && find(entries, key.name) == nullptr)
       misfits.missing.emplace_back(key.name);
   });
   for (const Given &given : entries) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands.hpp"
 
+#include "ogive/core/spinning.hpp"
 #include "ogive/version.hpp"
 #include "options/exit_status.hpp"
 #include "options/text.hpp"
@@ -57,7 +58,7 @@ int run(const options::Arguments &arguments, std::string &name) {
 } // namespace commands
 
 int main(int argc, char **argv) {
-  options::limit_spinning(argv);
+  ogive::limit_spinning(argv);
   std::string name = "ogive";
   return options::run_main(name, [&] { return commands::run({argv + 1, argv + argc}, name); });
 }

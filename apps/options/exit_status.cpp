@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <fcntl.h>
 #include <iostream>
 #include <new>
@@ -53,12 +52,6 @@ int run_main(const std::string &program, const std::function<int()> &run) {
   };
   outlive_output();
   return status_of_output(program, status_of_run());
-}
-
-void limit_spinning(char **argv) {
-  if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
-  ::setenv("GOMP_SPINCOUNT", "3000", 1);
-  ::execv("/proc/self/exe", argv); // returns only where that fails; the program is then merely slower
 }
 
 } // namespace options

@@ -22,9 +22,4 @@ int status_of_output(const std::string &program, int status);
 /// has.
 int run_main(const std::string &program, const std::function<int()> &run);
 
-/// Makes OpenMP's threads wait briefly in a busy loop and then sleep: threads that spin longer slow each other down as
-/// soon as the machine has other work. GCC's OpenMP reads that from the environment when a program is loaded, so the
-/// program is started once more, unless the user has chosen already. To be called first in main().
-void limit_spinning(char **argv);
-
 } // namespace options

@@ -88,10 +88,14 @@ void check(const Options &o, const Origins &origins) {
   }
   const double thinnest =
       o.layers_mm.empty() ? o.thickness_mm : *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
-  if (o.spacing_mm > thinnest / 2)
+  const double coarsest = std::round(1e6 * thinnest / 2) / 1e6;
+  if (o.spacing_mm > o.diameter_mm / 4)
+    refuse("spacing_mm", o.spacing_mm,
+           "must be at most a quarter of the projectile's diameter, " + shortest(o.diameter_mm / 4) + " mm");
+  if (o.spacing_mm > coarsest)
     refuse("spacing_mm", o.spacing_mm,
            std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
-               "plate, " + shortest(thinnest / 2) + " mm");
+               "plate, " + shortest(coarsest) + " mm");
   const double turn = o.obliquity_deg * std::numbers::pi / 180;
   const double smallest_disc =
       std::round(1e6 * (o.diameter_mm / 2 / std::cos(turn) + target_depth_mm(o) * std::tan(turn) + 2 * o.spacing_mm)) /

@@ -269,7 +269,7 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
   if (s.flight.velocity_at_tail) std::printf("  %-22s %.1f m/s\n", "when the tail left", *s.flight.velocity_at_tail);
   std::printf("  %-22s %s, %.1f us\n", "end of the run", ending(s), s.simulated_us);
   if (s.fragments.plug_mass > 0 && s.fragments.plug_velocity > 0)
-    std::printf("  %-22s %.2f g at %.1f m/s, debris %.2f g\n", "plug", s.fragments.plug_mass * 1e3,
+    std::printf("  %-22s %.3g g at %.1f m/s, debris %.3g g\n", "plug", s.fragments.plug_mass * 1e3,
                 s.fragments.plug_velocity, s.fragments.debris_mass * 1e3);
   for (std::size_t k = 0; k < o.layers_mm.size(); ++k)
     std::printf("  %-22s %.2f g at %.1f m/s, %g mm of %s\n", ("  of plate " + std::to_string(k + 1)).c_str(),

@@ -201,14 +201,14 @@ def read_limits(folder):
 
 
 def ended_by_time(shot):
-    """Whether a shot ran up to the end that is set if nothing ends it before (default_end_us)."""
-    return (shot.get("simulated_us") or 0) >= (500 if shot["nose"] == "blunt" else 1500)
+    """Whether a shot ran up to the end of its time, undecided or, by versions that did not know that, at 500 or 1500 us."""
+    return shot.get("perforated", 0) is None or (shot.get("simulated_us") or 0) >= (500 if shot["nose"] == "blunt" else 1500)
 
 
 def bracket_of(shots):
     """Highest velocity that was stopped below the lowest that perforated, and that one; None where there is none."""
     lowest = min((s["initial_velocity_mps"] for s in shots if s["perforated"]), default=None)
-    stopped = [s["initial_velocity_mps"] for s in shots if not s["perforated"]]
+    stopped = [s["initial_velocity_mps"] for s in shots if s["perforated"] == 0]
     return max((v for v in stopped if lowest is None or v < lowest), default=None), lowest
 
 

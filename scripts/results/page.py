@@ -175,7 +175,7 @@ class Page:
             rows.append([f"{short(listed['thickness_mm'])} mm, {listed['nose']}", short(listed["initial_velocity_mps"]),
                          short(self.tests.limit_mps(*plate_of(listed)))])
             rows[-1] += ["not run yet"] + ["–"] * 7 if shot is None else [
-                "yes" if shot["perforated"] else "no", fixed(shot["residual_velocity_mps"]),
+                {None: "undecided", 0: "no"}.get(shot["perforated"], "yes"), fixed(shot["residual_velocity_mps"]),
                 *(fixed(shot.get(name), decimals) for name, decimals in columns.items())]
         return Table(["plate", "initial, m/s", "measured limit, m/s", "perforated", "residual, m/s", "plug, g", "plug, mm",
                       "dishing, mm", "kept in the way", "band, K", "plug's core, K"], rows, (1, 2, *range(4, 11)))

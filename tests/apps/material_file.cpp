@@ -202,3 +202,19 @@ TEST_CASE("a material file that cannot be read is refused") {
   write(file, mjc + "x = \n");
   CHECK_THAT(refusal_of_file(), StartsWith(file + ":14: "));
 }
+
+TEST_CASE("a flow stress without an effect of the rate needs no reference rate") {
+  auto metal = ogive::library::weldox_460e_jc<double>();
+  metal.flow.C = 0;
+  std::string text = materials::to_toml(metal, "");
+  const auto begin = text.find("reference_rate_per_s");
+  REQUIRE(begin != std::string::npos);
+  text.erase(begin, text.find('\n', begin) + 1 - begin);
+  const auto read = std::get<ogive::Metal<double, ogive::JohnsonCook<double>>>(materials::parse(text, "x"));
+  CHECK(read.flow.C == 0);
+  CHECK(read.flow.reference_rate > 0);
+  const auto C = text.find("\nC = 0");
+  REQUIRE(C != std::string::npos);
+  text.replace(C, 6, "\nC = 0.1");
+  CHECK_THAT(message_of([&] { materials::parse(text, "x"); }), Catch::Matchers::Contains("lacks reference_rate_per_s"));
+}

@@ -43,7 +43,7 @@ template <class T> struct JohnsonCook {
   T n{};                                            ///< hardening exponent
   T C{};                                            ///< rate coefficient
   T m{};                                            ///< thermal exponent
-  T reference_rate{};                               ///< 1/s
+  T reference_rate = T(1);                          ///< 1/s
   RateFactor rate_factor = RateFactor::logarithmic; ///< which of the two
 };
 
