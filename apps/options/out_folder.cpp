@@ -62,16 +62,16 @@ fs::path set_aside(const fs::path &out, const std::string &reason) {
   const fs::path folder = fs::absolute(out).lexically_normal();
   const fs::path whole = folder.has_filename() ? folder : folder.parent_path();
   std::error_code error;
-  for (int k = 1;; ++k) {
-    const fs::path name = whole.string() + "_before_" + std::to_string(k);
-    if (fs::exists(fs::symlink_status(name, error))) continue;
-    if (!fs::is_symlink(whole, error))
-      fs::rename(whole, name, error);
-    else
-      error = std::make_error_code(std::errc::not_supported);
+  fs::path name;
+  for (int k = 1; name.empty() || fs::exists(fs::symlink_status(name, error)); ++k)
+    name = whole.string() + "_before_" + std::to_string(k);
+  // Programs that work in the folder, this one among them, would go with it.
+  const bool in_use = (fs::current_path(error).string() + "/").starts_with(whole.string() + "/");
+  if (!in_use && !fs::is_symlink(whole, error)) {
+    fs::rename(whole, name, error);
     if (!error) return name;
-    refuse("--out", out.string(), reason + "; give another --out, or remove them");
   }
+  refuse("--out", out.string(), reason + "; give another --out, or remove them");
 }
 
 void remove_empty(const std::vector<fs::path> &folders) {

@@ -33,14 +33,6 @@ const std::vector<std::string> history_columns{"time_us",      "velocity_m_per_s
                                                "viscous_J",    "contact_J",           "friction_J",    "total_J",
                                                "momentum_N_s", "support_impulse_N_s", "conversion_J"};
 
-/// True if the run goes on in the folder of its checkpoint.
-bool is_in_place(const Options &o) {
-  if (!o.restart) return false;
-  std::error_code ignored;
-  const fs::path folder = o.restart->file.parent_path();
-  return fs::equivalent(o.out, folder.empty() ? "." : folder, ignored);
-}
-
 /// Removes the halves of files that a run left when it was killed while it wrote them: those with the number of a
 /// process that is no more.
 void remove_leftovers(const fs::path &folder) {
@@ -67,6 +59,13 @@ std::string material_text(const std::string &material, const materials::AnyMetal
 }
 
 } // namespace
+
+bool is_in_place(const Options &o) {
+  if (!o.restart) return false;
+  std::error_code ignored;
+  const fs::path folder = o.restart->file.parent_path();
+  return fs::equivalent(o.out, folder.empty() ? "." : folder, ignored);
+}
 
 std::string case_text(const Options &options) {
   Options o = options;

@@ -21,6 +21,9 @@ struct Files {
 /// file that the user has there under that name is left as it is. Throws WriteError.
 void start_results(const Options &options, const Plates &plates);
 
+/// True if the run resumes in the folder of its checkpoint.
+bool is_in_place(const Options &options);
+
 /// Text of the file case.toml that start_results() writes.
 std::string case_text(const Options &options);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run.hpp"
 
+#include "files.hpp"
 #include "materials/library.hpp"
 #include "ogive/io/text.hpp"
 #include "ogive/io/write_error.hpp"
@@ -53,6 +54,7 @@ std::unique_ptr<options::FolderLock> lock_results(const Options &o) {
 
 /// Why the folder holds results that this run must not overwrite; empty if it does not.
 std::string other_results(const Options &o) {
+  if (is_in_place(o)) return "";
   const auto other = other_case(o);
   if (other) return other->empty() ? "" : "its results are of a case with another " + *other;
   std::error_code none;

@@ -71,7 +71,7 @@ require_same() {
 "$ogive" shoot "${shot[@]}" --threads 2 --out whole > whole.out
 rows=$(wc -l < whole/history.csv)
 [ "$rows" -gt 50 ] || fail "the shot is too short: $rows rows"
-[ ! -e whole/checkpoint.bin ] || fail "a checkpoint without need"
+[ -e whole/checkpoint.bin ] || fail "no checkpoint of a shot that is undecided"
 
 echo "SIGINT and SIGTERM: a checkpoint, a last frame, the command that goes on"
 for signal in INT TERM; do
@@ -168,7 +168,7 @@ echo "a new run in the folder keeps the checkpoint of the old one under another 
 cp -r later again
 "$ogive" shoot "${shot[@]}" --end-us 2 --out again > again.out
 cmp later/checkpoint.bin again/checkpoint_before.bin || fail "the old checkpoint has gone"
-[ ! -e again/checkpoint.bin ] || fail "the old checkpoint has the name of a new one"
+cmp -s later/checkpoint.bin again/checkpoint.bin && fail "the old checkpoint has the name of the new one"
 
 echo "a disk that is full: status 3, the old checkpoint stays"
 start full "${shot[@]}" --checkpoint-every-us 2 --out full
