@@ -47,12 +47,12 @@ inline std::string formatted(double number, std::chars_format format, int precis
 
 } // namespace text_detail
 
-/// A number in at most `digits` significant digits: what %.<digits>g of printf gives in the locale "C".
+/// A number in at most `digits` significant digits: what printf gives for `%.*g` in the locale "C".
 inline std::string with_digits(double number, int digits) {
   return text_detail::formatted(number, std::chars_format::general, digits);
 }
 
-/// A number with `decimals` digits behind the point, at most 60: what %.<decimals>f of printf gives in the locale "C".
+/// A number with `decimals` digits behind the point, at most 60: what printf gives for `%.*f` in the locale "C".
 inline std::string with_decimals(double number, int decimals) {
   return text_detail::formatted(number, std::chars_format::fixed, decimals);
 }

@@ -26,11 +26,11 @@ enum class FaultKind {
 
 /// What went wrong in the loop, where and when.
 struct Fault {
-  FaultKind kind = FaultKind::not_finite;
-  std::string what;   ///< one line, with the values
-  std::string body;   ///< its name
-  Index id = -1;      ///< node, particle or hex of the body; -1: none in particular
-  double time_us = 0; ///< of the model, µs
+  FaultKind kind = FaultKind::not_finite; ///< what is wrong
+  std::string what;                       ///< one line, with the values
+  std::string body;                       ///< its name
+  Index id = -1;                          ///< node, particle or hex of the body; -1: none in particular
+  double time_us = 0;                     ///< of the model, µs
 };
 
 /// "(1, 2, 3) mm"

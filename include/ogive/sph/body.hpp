@@ -119,6 +119,7 @@ struct SphBody {
 
 /// Whether a type is an SphBody.
 template <class Body> inline constexpr bool is_sph_body = false;
+/// It is one.
 template <class T, class Law, class K, class F> inline constexpr bool is_sph_body<SphBody<T, Law, K, F>> = true;
 
 /// A body of particles, constant or not.
