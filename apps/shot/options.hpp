@@ -113,6 +113,9 @@ inline constexpr double checkpoint_minutes = 15;
 /// Highest initial velocity that a run may have, m/s: the equation of state is one for less.
 inline constexpr double largest_velocity_mps = 3000;
 
+/// Above it a run warns that it is outside of what was compared with tests, m/s.
+inline constexpr double fastest_tested_mps = 1500;
+
 /// Most particles that a run may have.
 inline constexpr double most_particles = 50e6;
 

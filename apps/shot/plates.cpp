@@ -158,6 +158,10 @@ void settle_materials(Options &o, const Origins &origins) {
 
 std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
   std::vector<std::string> all;
+  if (o.velocity_mps > fastest_tested_mps)
+    all.push_back("velocity_mps = " + options::shortest(o.velocity_mps) + ": above " +
+                  options::shortest(fastest_tested_mps) +
+                  " m/s nothing was compared with tests, and a deformable projectile may stop the run");
   if (o.damage != DamageLaw::johnson_cook) return all;
   for (const materials::AnyMetal &metal : plates)
     for (std::string &doubt : materials::doubts_of(metal))
