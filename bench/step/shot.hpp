@@ -118,8 +118,8 @@ template <class Body, class T> Json memory_of(const Body &body, const ogive::Nod
   const auto &p = body.points;
   const auto &d = body.pair_data;
   const auto &n = body.neighbours;
-  double points =
-      bytes_of(p.velocity_gradient, p.quasi_static_yield, p.yield_strain, p.yield_temperature, body.point_mass, body.viscous_energy);
+  double points = bytes_of(p.velocity_gradient, p.quasi_static_yield, p.yield_strain, p.yield_temperature,
+                           body.point_mass, body.viscous_energy);
   ogive::for_each_point_field(p, [&](const char *, const char *, const auto &field) { points += bytes(field); });
   double pair_data = bytes_of(d.x, d.y, d.z, d.vx, d.vy, d.vz, d.volume, d.density, d.smoothing);
   for (const auto &component : d.correction) pair_data += bytes(component);
