@@ -73,7 +73,7 @@
                                          std::string_view);                                                            \
   extern_ template void restore(const Checkpoint &, Model_ &, RunState<double> &);                                     \
   extern_ template Frame gather_frame(const Model_ &);                                                                 \
-  extern_ template Way<double> find_way(const Model_ &, const Vec3<double> &, double);                                 \
+  extern_ template Way<double> find_way(const Model_ &, const Vec3<double> &, double, double);                         \
   extern_ template FlightSample<double> observe_flight(const Model_ &, const ProjectileShape<double> &,                \
                                                        const Flight<double> &);                                        \
   extern_ template PlateShape<double> plate_shape(const Model_ &, const std::vector<Vec3<double>> &, double,           \

@@ -12,7 +12,7 @@ fi
 "$root/scripts/setup.sh"
 # A build folder holds the name of the folder that it was made in.
 made_in=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' build/release/CMakeCache.txt 2>/dev/null || true)
-if [ -n "$made_in" ] && [ "$made_in" != "$root" ]; then
+if [ -n "$made_in" ] && ! [ "$made_in" -ef "$root" ]; then
   printf 'build: this folder was %s when it was built; builds anew\n' "$made_in" >&2
   rm -rf build/release
 fi

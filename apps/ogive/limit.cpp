@@ -86,7 +86,8 @@ void finish(const study::Series &series, const study::Series &tested, const std:
 std::vector<study::Case> curve_above(const study::Series &series, double limit) {
   std::vector<study::Case> shots;
   for (const double times : {1.1, 1.25, 1.5, 2.0})
-    shots.push_back(study::shot_of(series, 5 * std::ceil(limit * times / 5), {}));
+    if (limit * times < shot::largest_velocity_mps - 5)
+      shots.push_back(study::shot_of(series, 5 * std::ceil(limit * times / 5), {}));
   return shots;
 }
 

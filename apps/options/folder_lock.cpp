@@ -8,9 +8,21 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace options {
+
+namespace {
+
+/// True unless the file of a descriptor has been renamed or removed, with its folder perhaps.
+bool is_there(int descriptor, const std::filesystem::path &file) {
+  struct stat mine = {}, named = {};
+  return ::fstat(descriptor, &mine) != 0 ||
+         (::stat(file.c_str(), &named) == 0 && mine.st_dev == named.st_dev && mine.st_ino == named.st_ino);
+}
+
+} // namespace
 
 FolderLock::FolderLock(const std::filesystem::path &file, Kind kind, const std::string &busy)
     : descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
@@ -21,6 +33,10 @@ FolderLock::FolderLock(const std::filesystem::path &file, Kind kind, const std::
     ::close(descriptor);
     refuse("--out", file.parent_path().string(), busy);
   }
+  // Another process that had the lock has put the folder aside.
+  if (is_there(descriptor, file)) return;
+  ::close(descriptor);
+  refuse("--out", file.parent_path().string(), busy);
 }
 
 FolderLock::~FolderLock() { ::close(descriptor); }

@@ -24,7 +24,7 @@ namespace shot {
 
 Verdict verdict(const Result &shot) {
   using enum ogive::FlightState;
-  if (shot.fault || shot.flight.state == in_progress) return Verdict::undecided;
+  if (shot.flight.state == in_progress) return Verdict::undecided;
   return shot.flight.state == perforated ? Verdict::perforated : Verdict::stopped;
 }
 
@@ -72,7 +72,7 @@ const char *ending(const Result &s) {
   case ogive::FlightState::perforated:
     return s.flight.sharp ? "the tail left the plate" : "the velocity is steady";
   case ogive::FlightState::stopped:
-    return "the projectile rebounds";
+    return s.flight.samples.back().advance < 0 ? "the projectile rebounds" : "the projectile rests in the plate";
   default:
     return "end of time";
   }
@@ -83,13 +83,12 @@ std::string undecided_reason(const Result &s) {
   if (verdict(s) != Verdict::undecided) return "";
   if (s.fault) return "a fault stopped the run";
   const auto &last = s.flight.samples.back();
-  char text[200];
-  const char *what = !s.way.clear                                             ? "into what still hangs on the plate"
+  const bool moves = last.velocity > ogive::rest_share * s.flight.initial_velocity;
+  const char *what = !moves                                                   ? "and hardly moves"
+                     : !s.way.clear                                           ? "into what still hangs on the plate"
                      : last.tail < s.flight.plate_thickness && s.flight.sharp ? "with its tail still in the plate"
-                                                                              : "and its velocity still changes";
-  std::snprintf(text, sizeof text, "at %.4g us the projectile moves at %.1f m/s %s", s.simulated_us, last.velocity,
-                what);
-  return text;
+                                                                              : "and its velocity has not settled";
+  return options::printed("at %.4g us the projectile moves at %.1f m/s %s", s.simulated_us, last.velocity, what);
 }
 
 void add_shape(nlohmann::ordered_json &j, const ogive::PlateShape<double> &shape) {
@@ -260,8 +259,9 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
   } else {
     std::printf("\n  %-22s undecided: %s\n", "perforated", undecided_reason(s).c_str());
     if (!s.fault)
-      std::printf("  %-22s %s\n", "to decide it",
-                  ("--resume --end-us " + options::shortest(20 * std::ceil(s.simulated_us / 10))).c_str());
+      std::printf(
+          "  %-22s %s\n", "to decide it",
+          ("--resume --end-us " + options::shortest(std::min(20 * std::ceil(s.simulated_us / 10), 100000.0))).c_str());
   }
   if (test) std::printf("  %-22s %.1f m/s (%s)\n", "test", test->residual_mps, test->origin.c_str());
   if (s.flight.velocity_at_shoulder)

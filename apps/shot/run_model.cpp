@@ -46,6 +46,8 @@ void restore(const Options &options, M &model, ogive::RunState<double> &state, R
   const auto checkpoint = ogive::read_checkpoint(options.restart->file);
   read_notes(checkpoint, shot, course);
   ogive::restore(checkpoint, model, state);
+  // The plate's swing counts from the decision, or from the end of the time, which may be later now.
+  if (shot.flight.state == ogive::FlightState::in_progress) shot.swing = {};
   course.next_frame_us += options.output_every_us - course.frame_interval_us;
   course.frame_interval_us = options.output_every_us;
 }
@@ -55,8 +57,7 @@ template <class M>
 void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::ProjectileShape<double> &shape,
                  Result &shot, Course &course, Files &files) {
   const auto sample = ogive::observe_flight(now, shape, shot.flight);
-  ogive::record(shot.flight, sample,
-                [&] { return ogive::find_way(now, shot.flight.direction, shot.flight.diameter / 2); });
+  ogive::record(shot.flight, sample, [&] { return ogive::find_way(now, shot.flight); });
   const double momentum = -ogive::momentum(now)[2], impulse = -now.support_impulse[2] * now.symmetry.copies();
   if (shot.flight.samples.size() == 1) course.first_energy = total(e), course.first_momentum = momentum;
   shot.hourglass_fraction = e.hourglass / course.first_energy;
@@ -238,7 +239,7 @@ Result run_model(const Options &options, const Plates &metals) {
   shot.cpu_s = cpu_s(progress);
   shot.steps = model.steps;
   shot.simulated_us = model.time * 1e6;
-  shot.way = ogive::find_way(model, shot.flight.direction, shape.diameter / 2);
+  shot.way = ogive::find_way(model, shot.flight);
   shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(model) * 1e3);
   shot.fragments = ogive::find_fragments(model);
   for (const auto &conversion : model.conversions) {

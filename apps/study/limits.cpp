@@ -148,6 +148,8 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
       }
       const Row *row = find_row(rows, shot.key);
       if (row != nullptr && is_undecided(*row) && last[k] == shot.key) {
+        // With more time than its row has had it is running.
+        if (!is_final(*row, shot)) continue;
         end(k, shot.name + ": undecided at " + ogive::shortest(number(*row, "simulated_us")) +
                    " us; a later --end-us decides it");
         continue;

@@ -44,11 +44,6 @@ bool has_frames(const Study &study, const Case &shot) {
          (fs::exists(folder / "summary.json", none) && fs::exists(folder / "perforation.pvd", none));
 }
 
-/// Whether a row is the last word on a case: more time may decide an undecided shot.
-bool is_final(const Row &row, const Case &shot) {
-  return !is_undecided(row) || number(row, "simulated_us") >= shot.options.end_us * (1 - 1e-9);
-}
-
 bool is_known(const Study &study, const Case &shot, const std::vector<Row> &rows) {
   const Row *row = find_row(rows, shot.key);
   return row != nullptr && is_final(*row, shot) && has_frames(study, shot);
@@ -117,18 +112,30 @@ std::optional<Case> next_case(Work &w) {
 /// Runs one case after another.
 void work(Work &w) {
   omp_set_num_threads(w.threads);
-  while (const auto shot = next_case(w)) {
+  const auto note_failure = [&](const std::string &text) {
+    const std::lock_guard lock(w.mutex);
+    w.outcome.failed.push_back(text);
+    w.report("failed: " + text);
+  };
+  for (;;) {
+    std::optional<Case> shot;
     try {
+      shot = next_case(w);
+      if (!shot) return;
       run_case(w, *shot);
     } catch (const std::exception &error) {
-      const std::lock_guard lock(w.mutex);
-      w.outcome.failed.push_back(shot->name + ": " + error.what());
-      w.report("failed: " + w.outcome.failed.back());
+      note_failure(shot ? shot->name + ": " + error.what() : error.what());
+      // Without a next case there is nothing else to do.
+      if (!shot) return;
     }
   }
 }
 
 } // namespace
+
+bool is_final(const Row &row, const Case &shot) {
+  return !is_undecided(row) || number(row, "simulated_us") >= shot.options.end_us * (1 - 1e-9);
+}
 
 void add(Outcome &all, const Outcome &more) {
   all.run += more.run;

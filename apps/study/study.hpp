@@ -33,6 +33,9 @@ struct Outcome {
   int stopped_by = 0;                ///< the signal that ended the work; 0: none did
 };
 
+/// Whether a row is the last word on a case: more time may decide an undecided shot.
+bool is_final(const Row &row, const Case &shot);
+
 /// Adds the shots that were run, and failed, in further work.
 void add(Outcome &all, const Outcome &more);
 

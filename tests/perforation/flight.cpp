@@ -15,8 +15,8 @@ Flight<double> flight_of(Nose nose) {
   return start_flight(c);
 }
 
-const auto loose = [] { return Way<double>{true, 0}; };
-const auto hanging = [] { return Way<double>{false, 0}; };
+const auto loose = [] { return Way<double>{true, false, 0}; };
+const auto hanging = [] { return Way<double>{false, true, 0}; };
 
 /// Samples each microsecond from `time` (us) of a projectile of 80 mm with a nose of 30 mm whose tail is at `tail` (m).
 template <class Velocity, class Loose>
@@ -93,17 +93,36 @@ TEST_CASE("a projectile at rest in the plate has been stopped, one behind it is 
     CHECK(stuck.state == FlightState::stopped);
     CHECK(stuck.samples.back().time == Approx(60e-6).margin(1.1e-6)); // after the longest interval
   }
+  // Jammed with its nose through the plate, nothing before it.
+  for (const Nose nose : {Nose::blunt, Nose::ogival}) {
+    auto jammed = flight_of(nose);
+    fly(jammed, 0, 400, creeping, [] { return Way<double>{true, true, 0}; });
+    CHECK(jammed.state == FlightState::stopped);
+  }
   auto free = flight_of(Nose::blunt);
   fly(free, 0, 400, creeping, loose);
   CHECK(free.state == FlightState::in_progress);
+  // Out, however slowly.
+  for (const Nose nose : {Nose::blunt, Nose::conical}) {
+    auto out = flight_of(nose);
+    fly(out, 0, 400, creeping, loose, 13e-3);
+    CHECK(out.state == FlightState::perforated);
+    auto carried = flight_of(nose);
+    fly(carried, 0, 400, creeping, hanging, 13e-3);
+    CHECK(carried.state == FlightState::in_progress);
+    auto back = flight_of(nose);
+    fly(
+        back, 0, 400, [](int) { return -0.1; }, loose, 13e-3);
+    CHECK(back.state == FlightState::in_progress);
+  }
 }
 
 TEST_CASE("a blunt projectile that flies with the plate has not perforated it", "[perforation]") {
   const auto carried = [](int) { return 20.0; };
   auto flight = flight_of(Nose::blunt);
-  fly(flight, 0, 400, carried, [] { return Way<double>{true, 19}; });
+  fly(flight, 0, 400, carried, [] { return Way<double>{true, true, 19}; });
   CHECK(flight.state == FlightState::in_progress);
-  fly(flight, 400, 401, carried, [] { return Way<double>{true, 18}; }); // 2 m/s faster: above 0.5 % of 300 m/s
+  fly(flight, 400, 401, carried, [] { return Way<double>{true, true, 18}; }); // 2 m/s faster: above 0.5 % of 300 m/s
   CHECK(flight.state == FlightState::perforated);
 }
 

@@ -135,8 +135,7 @@ TEST_CASE("a shot through two plates keeps its energy and lets nothing through",
     if (gap > 0 && now.time < 9e-6)
       for (Index i = 0; i < Index(before.size()); ++i)
         early = std::max(early, (now.nodes.position[plate_particles(now, 1).nodes.begin + i] - before[i]).norm());
-    record(flight, observe_flight(now, c.projectile, flight),
-           [&] { return find_way(now, flight.direction, flight.diameter / 2); });
+    record(flight, observe_flight(now, c.projectile, flight), [&] { return find_way(now, flight); });
     return flight.state == FlightState::in_progress;
   });
   REQUIRE_FALSE(result.fault);

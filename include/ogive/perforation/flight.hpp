@@ -99,30 +99,40 @@ template <class T> bool is_steady(const Flight<T> &flight, T tolerance) {
   return count > 2;
 }
 
+/// Share of the initial velocity below which a projectile counts as at rest, and tolerance of a steady one.
+inline constexpr double rest_share = 5e-3, steady_share = 1e-3;
+
+/// The way of a shot's projectile now.
+template <class M, class T> Way<T> find_way(const M &model, const Flight<T> &flight) {
+  return find_way(model, flight.direction, flight.diameter / T(2), T(rest_share) * flight.initial_velocity);
+}
+
 /// The state that the samples up to now show. `find_way()` gives the Way<T> and is called only where it decides.
 ///
 /// Stopped: the projectile moves away from the plate by more than 0.2 % of the initial velocity; or its velocity is
-/// steady below 0.5 % of that while a plate is in its way. A velocity is steady if it changes by less than 0.1 % of the
-/// initial one over steady_interval().
+/// steady below 0.5 % of that while a plate is in its way or around it. A velocity is steady if it changes by less than
+/// 0.1 % of the initial one over steady_interval().
 ///
-/// Perforated, sharp: the tail has left the last plate, and nothing is in the way or the velocity is steady.
-/// Perforated, blunt: the nose is behind the last plate and the velocity steady, by more than 0.5 % of the initial one
-/// above that of the plate beside the projectile, and nothing is in the way: a plug that still hangs on the plate may
-/// come back to the nose. If the tail has left too, what a chain of debris still connects to the plate does not count
-/// as in the way.
+/// Perforated, sharp: the tail has left the last plate, and nothing is in the way or the velocity is steady and above
+/// that of the plate. Perforated, blunt: the nose is behind the last plate and the velocity steady, by more than 0.5 %
+/// of the initial one above that of the plate beside the projectile, and nothing is in the way: a plug that still hangs
+/// on the plate may come back to the nose. If the tail has left too, what a chain of debris still connects to the plate
+/// does not count as in the way.
 template <class T, class FindWay> FlightState state_of(const Flight<T> &flight, FindWay &&find_way) {
+  using enum FlightState;
   const FlightSample<T> &now = flight.samples.back();
-  const T tolerance = T(1e-3) * flight.initial_velocity;
-  if (now.advance < T(-2) * tolerance) return FlightState::stopped;
+  const T tolerance = T(steady_share) * flight.initial_velocity, rest = T(rest_share) * flight.initial_velocity;
+  if (now.advance < T(-2) * tolerance) return stopped;
   const bool has_left = now.tail >= flight.plate_thickness, steady = is_steady(flight, tolerance);
-  const bool moves = now.velocity > T(5) * tolerance;
-  if (flight.sharp && has_left) return steady || find_way().clear ? FlightState::perforated : FlightState::in_progress;
-  if (!steady || (flight.sharp && moves)) return FlightState::in_progress;
+  const bool moves = now.velocity > rest;
+  if (!steady && !(flight.sharp && has_left)) return in_progress;
+  if (flight.sharp && moves && !has_left) return in_progress;
   const Way<T> way = find_way();
-  if (!moves) return way.clear || has_left ? FlightState::in_progress : FlightState::stopped;
-  const bool moves_on = now.velocity - way.plate_velocity > T(5) * tolerance;
-  return moves_on && now.nose > flight.plate_thickness && (way.clear || has_left) ? FlightState::perforated
-                                                                                  : FlightState::in_progress;
+  if (!moves && !has_left) return way.clear && !way.inside ? in_progress : stopped;
+  const bool moves_on = now.velocity - way.plate_velocity > rest;
+  const bool free = has_left ? (way.clear && now.velocity > T(0)) || (steady && moves_on)
+                             : way.clear && moves_on && now.nose > flight.plate_thickness;
+  return free ? perforated : in_progress;
 }
 
 /// Records a sample and concludes, see state_of(). A conclusion is final.

@@ -9,8 +9,9 @@ namespace ogive {
 
 /// The plates as the projectile meets them: the basis of the verdict whether it has perforated them.
 template <class T> struct Way {
-  bool clear = true;  ///< nothing that hangs on a plate's rim lies before the projectile
-  T plate_velocity{}; ///< m/s along the line of flight, mean of what hangs on the plates beside it; 0: nothing does
+  bool clear = true;   ///< nothing that hangs on a plate's rim lies before the projectile
+  bool inside = false; ///< something that hangs on a rim lies beside the projectile
+  T plate_velocity{};  ///< m/s along the line of flight, mean of what lies beside it; 0: nothing does
 };
 
 /// The projectile's axis of motion.
@@ -21,8 +22,9 @@ template <class T> struct Axis {
   T rear{};          ///< m, likewise of the last node; negative
 };
 
-/// The axis of motion of the projectile now, whole in symmetric models; at rest along `direction`.
-template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T> &direction) {
+/// The axis of motion of the projectile now, whole in symmetric models; along `direction` while it moves that way more
+/// slowly than `least_speed` (m/s), where the direction of its velocity says nothing.
+template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T> &direction, T least_speed) {
   const auto &nodes = model.nodes;
   const NodeRange range = projectile(model).nodes;
   Vec3<T> middle = Vec3<T>::Zero(), velocity = Vec3<T>::Zero();
@@ -31,9 +33,10 @@ template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T>
     mass += nodes.mass[n], middle += nodes.mass[n] * nodes.position[n], velocity += nodes.mass[n] * nodes.velocity[n];
   if (model.symmetry.x) middle[0] = velocity[0] = T(0);
   if (model.symmetry.y) middle[1] = velocity[1] = T(0);
-  const T speed = velocity.norm();
+  velocity /= mass;
+  const bool moves = velocity.dot(direction) > least_speed;
   constexpr T infinite = std::numeric_limits<T>::infinity();
-  Axis<T> axis{middle / mass, speed > T(0) ? Vec3<T>(velocity / speed) : direction, -infinite, infinite};
+  Axis<T> axis{middle / mass, moves ? velocity.normalized() : direction, -infinite, infinite};
   for (Index n = range.begin; n < range.end; ++n) {
     const T along = (nodes.position[n] - axis.middle).dot(axis.direction);
     axis.front = std::max(axis.front, along), axis.rear = std::min(axis.rear, along);
@@ -41,11 +44,11 @@ template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T>
   return axis;
 }
 
-/// The way of a projectile of this radius (m) that was fired along `direction`. What hangs within three quarters of its
-/// radius from the axis of motion, farther ahead than its foremost node, is in the way: nearer to its edge the hole's
-/// rim may bend to the rear.
-template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direction, T radius) {
-  const Axis<T> axis = axis_of_motion(model, direction);
+/// The way of a projectile of this radius (m) that was fired along `direction`, see axis_of_motion(). What hangs within
+/// three quarters of its radius from the axis of motion, farther ahead than its foremost node, is in the way: nearer to
+/// its edge the hole's rim may bend to the rear.
+template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direction, T radius, T least_speed) {
+  const Axis<T> axis = axis_of_motion(model, direction, least_speed);
   Way<T> way;
   T mass{}, momentum{};
   const auto take = [&](const Vec3<T> &position, const Vec3<T> &velocity, T cell_mass, T spacing) {
@@ -76,7 +79,8 @@ template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direc
       take(position, velocity, hex_mass, body.spacing);
     }
   }
-  if (mass > T(0)) way.plate_velocity = momentum / mass;
+  way.inside = mass > T(0);
+  if (way.inside) way.plate_velocity = momentum / mass;
   return way;
 }
 
