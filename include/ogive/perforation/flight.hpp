@@ -99,8 +99,10 @@ template <class T> bool is_steady(const Flight<T> &flight, T tolerance) {
   return count > 2;
 }
 
-/// Share of the initial velocity below which a projectile counts as at rest, and tolerance of a steady one.
-inline constexpr double rest_share = 5e-3, steady_share = 1e-3;
+/// Share of the initial velocity below which a projectile counts as at rest.
+inline constexpr double rest_share = 5e-3;
+/// Share of the initial velocity by which a steady one may change.
+inline constexpr double steady_share = 1e-3;
 
 /// The way of a shot's projectile now.
 template <class M, class T> Way<T> find_way(const M &model, const Flight<T> &flight) {
