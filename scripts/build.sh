@@ -6,16 +6,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 cd "$root"
 # Another user's clone is taken as it was built.
-if [ -e build/release/apps/ogive ] && [ ! -w build/release ]; then
-  exit 0
-fi
+[ ! -e build/release/apps/ogive ] || [ -w build/release ] || exit 0
 "$root/scripts/setup.sh"
-# A build folder holds the name of the folder that it was made in.
+# A build folder that was moved still has the names of the folder that it was made in.
 made_in=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' build/release/CMakeCache.txt 2>/dev/null || true)
-if [ -n "$made_in" ] && ! [ "$made_in" -ef "$root" ]; then
-  printf 'build: this folder was %s when it was built; builds anew\n' "$made_in" >&2
-  rm -rf build/release
-fi
+[ -z "$made_in" ] || [ "$made_in" -ef "$root" ] || rm -rf build/release
 if [ ! -e build/release/build.ninja ]; then
   cmake --preset release >&2
 fi
