@@ -27,7 +27,7 @@ inline constexpr double most_ballistic_a = 1.2;
 /// where those of shots rise steeply and bend down.
 inline constexpr double least_ballistic_p = 1;
 /// Largest `p` of a fit: there the curve has 73 % of its asymptote 1 % above the limit, a jump for all shots that can
-/// be told from the limit; still larger ones look alike.
+/// be distinguished from the limit; still larger ones look alike.
 inline constexpr double most_ballistic_p = 8;
 
 /// Residual velocity of the curve at the initial velocity v, m/s; 0 up to the limit.
@@ -76,7 +76,7 @@ template <class T> struct BallisticFit {
 };
 
 /// The limit of a fit as a place to shoot at next, m/s: nothing without a fit, nor where the best curve is the straight
-/// line of the least p, as it is of shots far above the limit. That of the true curve lies above where the line ends.
+/// line of the least p, which shots far above the limit give. That of the true curve lies above where the line ends.
 template <class T> std::optional<T> expected_limit(const std::optional<BallisticFit<T>> &fit) {
   if (!fit || !(fit->curve.p > T(least_ballistic_p))) return std::nullopt;
   return fit->curve.limit;
