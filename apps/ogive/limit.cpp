@@ -118,7 +118,9 @@ int limit(const options::Arguments &arguments) {
     any.velocity_mps = -1;
     o.out = shot::default_out(any).string() + "_limit";
   }
-  const study::Study study{.out = o.out, .threads = o.threads};
+  // Two shots on a core each take less time than one after the other on both.
+  const int threads = o.threads.value_or(study::cores());
+  const study::Study study{.out = o.out, .jobs = std::min(4, threads), .cores = threads};
   const study::Series tested = study::series_of(study::case_of(o, {}, ""));
   study::Series series = tested;
   series.published = {};
@@ -128,9 +130,21 @@ int limit(const options::Arguments &arguments) {
     report("Ballistic limit within " + options::shortest(l.width_mps / 2) + " m/s, " + o.out.string() + ", method " +
            shot::name_of(o.method));
     study::report_doubts({o}, report);
-    study::Outcome all = study::find_limits(study, {series}, l.width_mps, report);
-    complete = all.stopped_by == 0 && all.failed.empty();
-    if (!complete) return all;
+    study::Outcome all;
+    const auto may_continue = [&](const study::Outcome &part) {
+      add(all, part);
+      return complete = all.stopped_by == 0 && all.failed.empty();
+    };
+    if (const auto coarse = study::coarser(series)) {
+      report("First with twice the particle distance: the limit that is expected");
+      study::Outcome first = study::find_limits(study, {*coarse}, l.width_mps, report);
+      first.failed.clear(); // The search has its way without it.
+      if (!may_continue(first)) return all;
+      const auto rows = study::read_all_rows(o.out, {});
+      series = study::guided_by(series, *coarse, rows, l.width_mps);
+      if (!may_continue(study::run_cases(study, study::first_pair(series, rows, l.width_mps), report))) return all;
+    }
+    if (!may_continue(study::find_limits(study, {series}, l.width_mps, report))) return all;
     if (const auto limit = print_bisection(series, o.out))
       add(all, study::run_cases(study, curve_above(series, *limit), report));
     return all;

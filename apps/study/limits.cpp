@@ -107,9 +107,42 @@ Published find_published(const shot::Options &o) {
   return p;
 }
 
+std::optional<Series> coarser(const Series &series) {
+  shot::Options o = series.options;
+  o.spacing_mm *= 2;
+  double thinnest = o.thickness_mm;
+  if (!o.layers_mm.empty()) thinnest = *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
+  if (o.spacing_mm > thinnest / 5 || o.spacing_mm > o.diameter_mm / 8) return std::nullopt;
+  Series coarse = series_of(case_of(o, {}, ""));
+  coarse.published = series.published, coarse.guess_mps = series.guess_mps;
+  return coarse;
+}
+
+Series guided_by(Series series, const Series &coarse, const std::vector<Row> &rows, double width_mps) {
+  const auto estimate = ogive::limit_estimate(ogive::bracket(tried_shots(coarse.key, rows, true)));
+  if (!estimate) return series;
+  series.expected_mps = estimate->limit;
+  series.guess_mps = std::max(1.0, std::round(estimate->limit - width_mps / 2));
+  return series;
+}
+
+std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows, double width_mps) {
+  if (!series.expected_mps || !tried_shots(series.key, rows, false).empty()) return {};
+  const auto above =
+      ogive::next_velocity<double>({{series.guess_mps, false}}, series.guess_mps, width_mps, 1.0, series.expected_mps);
+  std::vector<Case> pair{shot_of(series, series.guess_mps, {})};
+  if (above && *above <= shot::largest_velocity_mps) pair.push_back(shot_of(series, *above, {}));
+  return pair;
+}
+
 std::optional<double> next_velocity(const Series &series, const std::vector<Row> &rows, double width_mps) {
-  const auto expected = ogive::expected_limit(fit_of(series.key, rows, series.published));
-  return ogive::next_velocity(tried_shots(series.key, rows, false), series.guess_mps, width_mps, 1, expected);
+  const auto tried = tried_shots(series.key, rows, false);
+  const auto b = ogive::bracket(tried);
+  std::optional<double> expected = series.expected_mps;
+  if (!expected || (b.highest_stopped && *b.highest_stopped >= *expected) ||
+      (b.lowest_perforated && *b.lowest_perforated <= *expected))
+    expected = ogive::expected_limit(fit_of(series.key, rows, series.published));
+  return ogive::next_velocity(tried, series.guess_mps, width_mps, 1, expected);
 }
 
 Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report) {

@@ -25,6 +25,7 @@ struct Series {
   Key key;               ///< with an empty velocity
   double guess_mps = 0;  ///< velocity of the first shot
   Published published;
+  std::optional<double> expected_mps{}; ///< the limit that a coarser series has
 };
 
 /// A series with its limits.
@@ -54,8 +55,19 @@ Case shot_of(const Series &series, double velocity_mps, const Texts &own_columns
 /// those of the tests. Throws SetupError for a damaged table.
 Published find_published(const shot::Options &options);
 
+/// The series with twice the particle distance, of which a shot costs a tenth; nothing if so few particles would lie
+/// through a plate or across the projectile that it promised little.
+std::optional<Series> coarser(const Series &series);
+
+/// The series that expects the limit of the coarser one: its first two shots lie on both sides of it.
+Series guided_by(Series series, const Series &coarse, const std::vector<Row> &rows, double width_mps);
+
+/// Those two shots; none where no limit is expected or a shot of the series is known.
+std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows, double width_mps);
+
 /// The velocity of the next shot of a bisection to a bracket of `width_mps`; nothing once the bracket is that narrow.
-/// The first ones lie beside the limit of the curve through the residual velocities.
+/// The first ones lie beside the limit that is expected: that of a coarser series, or where that is contradicted that
+/// of the curve through the residual velocities.
 std::optional<double> next_velocity(const Series &series, const std::vector<Row> &rows, double width_mps);
 
 /// Bisects the limits of all series, those of different series at the same time. A series ends with a shot that fails

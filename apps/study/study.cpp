@@ -144,7 +144,7 @@ void add(Outcome &all, const Outcome &more) {
 }
 
 int threads_of(const Study &study, int workers) {
-  return study.threads.value_or(std::max(1, cores() / std::max(1, workers)));
+  return study.threads.value_or(std::max(1, study.cores.value_or(cores()) / std::max(1, workers)));
 }
 
 int cores() { return std::max(1, omp_get_num_procs()); }

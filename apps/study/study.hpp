@@ -21,6 +21,7 @@ struct Study {
   Texts own_columns{};          ///< of the key, besides key_columns()
   int jobs = 1;                 ///< shots at a time
   std::optional<int> threads{}; ///< of each shot; unset: the shots share the cores
+  std::optional<int> cores{};   ///< that they share; unset: all that this process may use
   int shard = 1;                ///< this process runs part `shard` of `shards`
   int shards = 1;
 };

@@ -28,35 +28,27 @@ inline volatile double sink = 0;
 /// as fit into the registers.
 inline constexpr int independent = 12;
 
-/// Seconds of `f(accumulators)`, called `rounds` times.
-template <class F> double seconds_of(std::int64_t rounds, F &&f) {
-  std::array<Pack<double>, independent> a;
-  for (int k = 0; k < independent; ++k) a[k] = Pack<double>(1 + 0.01 * k);
+/// Seconds of `f(pack)` on packs of `T`, called `rounds` times for each.
+template <class T, class F> double seconds_of(std::int64_t rounds, F &&f) {
+  std::array<Pack<T>, independent> a;
+  for (int k = 0; k < independent; ++k) a[k] = Pack<T>(T(1 + 0.01 * k));
   const double begin = omp_get_wtime();
   for (std::int64_t r = 0; r < rounds; ++r)
     for (auto &p : a) p = f(p);
   const double seconds = omp_get_wtime() - begin;
-  Pack<double> sum{};
+  Pack<T> sum{};
   for (const auto &p : a) sum += p;
-  sink = sum[0];
+  sink = static_cast<double>(sum[0]);
   return seconds;
 }
 
 } // namespace detail
 
-/// Best time of one operation on a pack of doubles, one thread, many of them independent of each other, s.
-template <class F> double pack_time(bool quick, F &&operation) {
-  const std::int64_t rounds = quick ? 100'000 : 1'000'000;
-  double best = 1;
-  for (int repeat = 0; repeat < 5; ++repeat) best = std::min(best, detail::seconds_of(rounds, operation));
-  return best / (static_cast<double>(rounds) * detail::independent);
-}
-
-/// flop/s in double precision, fused multiply-adds alone, each of them two flops; the best of several runs.
+/// flop/s in single precision, fused multiply-adds alone, each of them two flops; the best of several runs.
 inline double measure_arithmetic(int threads, bool quick) {
   using ogive::Pack;
   const std::int64_t rounds = quick ? 3'000'000 : 30'000'000;
-  const double flops = 2.0 * ogive::lanes<double> * detail::independent * static_cast<double>(rounds) * threads;
+  const double flops = 2.0 * ogive::lanes<float> * detail::independent * static_cast<double>(rounds) * threads;
   double best = 0;
   for (int repeat = 0; repeat < 5; ++repeat) {
     double slowest = 0;
@@ -64,8 +56,8 @@ inline double measure_arithmetic(int threads, bool quick) {
     {
 #pragma omp barrier
       // Goes towards 1, so that no number becomes so small or large that the machine slows down.
-      const Pack<double> factor(0.75), addend(0.25);
-      slowest = detail::seconds_of(rounds, [&](Pack<double> p) {
+      const Pack<float> factor(0.75F), addend(0.25F);
+      slowest = detail::seconds_of<float>(rounds, [&](Pack<float> p) {
         p.v = p.v * factor.v + addend.v;
         return p;
       });

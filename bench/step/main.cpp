@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string>
 
 namespace {
 
@@ -30,6 +31,9 @@ bench::Plan read_options(CLI::App &app, int argc, const char *const *argv) {
       ->check(CLI::Range(0, 1000000));
   const auto *repeats =
       app.add_option("--repeats", plan.repeats, "measurements, the median counts")->check(CLI::Range(1, 1000));
+  app.add_option("--methods", plan.methods, "methods of the plate (default: sfm,stabilised)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"sfm", "stabilised"}));
   app.add_flag("--quick", plan.quick, "small sizes and short measurements, to see that all works");
   app.parse(argc, argv);
   if (plan.quick) {
@@ -55,7 +59,6 @@ bool equal_states(const Json &shot) {
 }
 
 int measure(const bench::Plan &plan) {
-  using ogive::Pack;
   const bool quick = plan.quick;
   const std::size_t bytes = bench::triad_bytes(quick);
   Json limits = Json::array(), shots = Json::array();
@@ -64,27 +67,21 @@ int measure(const bench::Plan &plan) {
     limits.push_back({{"threads", threads},
                       {"triad_byte_per_s", bench::measure_triad(threads, bytes, quick)},
                       {"flop_per_s", bench::measure_arithmetic(threads, quick)}});
-  // Each operation leads to a number near 1 again; the last two are ogive's, with 27 bits.
-  const Json packs{
-      {"division", bench::pack_time(quick, [](Pack<double> p) { return Pack<double>(1.0) / p; })},
-      {"square_root", bench::pack_time(quick, [](Pack<double> p) { return ogive::sqrt(p); })},
-      {"reciprocal", bench::pack_time(quick, [](Pack<double> p) { return ogive::reciprocal(p); })},
-      {"inverse_square_root", bench::pack_time(quick, [](Pack<double> p) { return ogive::inverse_sqrt(p); })}};
   bool equal = true;
-  for (const double size : plan.sizes) {
-    shots.push_back(bench::measure_shot(size, plan, [&](const std::string &text) {
-      std::fprintf(stderr, "%.0f particles: %s\n", size, text.c_str());
-    }));
-    equal = equal && equal_states(shots.back());
-  }
+  for (const std::string &method : plan.methods)
+    for (const double size : plan.sizes) {
+      shots.push_back(bench::measure_shot(size, method, plan, [&](const std::string &text) {
+        std::fprintf(stderr, "%s, %.0f particles: %s\n", method.c_str(), size, text.c_str());
+      }));
+      equal = equal && equal_states(shots.back());
+    }
   const Json all{{"version", ogive::version},
                  {"cores", omp_get_num_procs()},
                  {"register_bits", 8 * ogive::register_bytes},
-                 {"lanes", ogive::lanes<double>},
+                 {"lane_pairs_of_entry", ogive::lanes<float>},
                  {"triad_bytes", bytes},
                  {"repeats", plan.repeats},
                  {"limits", limits},
-                 {"pack_s", packs},
                  {"shots", shots}};
   std::cout << all.dump(2) << std::endl;
   if (equal) return 0;

@@ -34,39 +34,33 @@ namespace bench {
 using Json = nlohmann::ordered_json;
 using ogive::Phase;
 
-// Arithmetic of one particle of a cluster with one place of its list. Flops: a fused multiply-add counts two, maximum,
-// minimum, estimates of root and reciprocal one each. Instructions: arithmetic ones on vectors, multiplication and
-// addition fused wherever they can be. Counted for the cubic spline, a fixed smoothing length and machines with
-// estimates of roots; what does not depend on the neighbour is left out. flops / instructions:
+// Arithmetic of one pair of a tile. Flops: a fused multiply-add counts two, maximum, minimum, estimates of root and
+// reciprocal one each. Instructions: arithmetic ones on vectors, multiplication and addition fused wherever they can
+// be. Counted for the cubic spline, a fixed smoothing length and machines with estimates of roots; what does not depend
+// on the neighbour is left out. flops / instructions:
 //
-//   x_ij 3/3, r^2 5/3                                                                                  8/6
-//   u^2 = max(r^2/h^2, 1e-12) 2/2, 1/u: estimate and Newton's step 7/5, u 1/1,
-//   (dw/du)/u: far 3/2, near 3/2, difference of squares 3/2, times 1/u 1/1                            20/15
+//   x_ij and its conversion 3/6, r^2 with a quantum more 6/3, u^2 1/1                                  10/10
+//   1/u: estimate 1/1, u 1/1, (dw/du)/u: far 3/2, its square with sign, times 1/u 3/3, near 2/1, choice 1/2   11/10
 //
-// gradient_sums: those and weight 2/2, V_j grad W 3/3, v_ij 3/3, nine sums 18/9, six moments 12/6, comparison with the
+// sum_gradient: those and weight 1/1, V_j grad W 3/3, v_ij 3/3, nine sums 18/9, six moments 12/6, comparison with the
 // support 1/1.
-inline constexpr double gradient_flops = 67, gradient_instructions = 45;
+inline constexpr double gradient_flops = 59, gradient_instructions = 43;
 
-// pair_forces: those and weight 1/1, v_ij . x_ij 8/6, mu: minimum, r^2 + 0.01 h^2, reciprocal 5/3, two products 9/7,
-// q 5/4, weights 2/2, three sums of both terms 27/15 (the product of stress and x_ij, times w, less q V w x_ij), three
-// sums of gradients 6/3, power 2/1.
-inline constexpr double force_flops = 88, force_instructions = 60;
+// pair_forces: those and v_ij . x_ij 8/6, mu: r^2 + 0.01 h^2, reciprocal, minimum, two products 5/5, q 6/5, stress less
+// q 3/3, three sums 21/12, weight 1/1, three sums of gradients 6/3, power 3/2.
+inline constexpr double force_flops = 74, force_instructions = 57;
 
 /// Directed pairs of different particles within the support, images included, with the nodes where they are.
 template <class Body, class T> std::int64_t count_pairs(const Body &body, const ogive::Nodes<T> &nodes) {
   const auto &n = body.neighbours;
-  const ogive::Index width = ogive::lanes<T>, places = static_cast<ogive::Index>(n.order.size());
-  const auto position = [&](ogive::Index place) -> ogive::Vec3<T> {
-    const auto particle = place < places ? n.order[place] : n.images[place - places].parent;
-    const auto &x = nodes.position[body.nodes.begin + particle];
-    return place < places ? x : ogive::reflected(x, n.images[place - places].reflection);
-  };
+  const auto position = [&](ogive::Index i) -> ogive::Vec3<T> { return nodes.position[body.nodes.begin + i]; };
   const T support = n.support;
   return ogive::ordered_sum(ogive::clusters(n), std::int64_t(0), [&](ogive::Index c) {
     std::int64_t found = 0;
-    for (ogive::Index k = c * width; k < std::min(body.points.size(), (c + 1) * width); ++k)
-      for (const ogive::Index place : ogive::row(n, c))
-        found += place != k && (position(k) - position(place)).squaredNorm() < support * support;
+    ogive::for_each_listed_pair(n, c, [&](ogive::Index i, ogive::Index j, ogive::Reflection in) {
+      const bool same = i == j && !in.x && !in.y;
+      found += !same && (position(i) - ogive::reflected(position(j), in)).squaredNorm() < support * support;
+    });
     return found;
   });
 }
@@ -80,16 +74,17 @@ template <class Body, class T> Json work_of(const Body &body, const ogive::Nodes
   for (const std::uint64_t word : n.within) within += std::popcount(word);
   for (const T rate : body.points.plastic_strain_rate) flowing += rate > T(0);
 
-  constexpr double number = sizeof(T), index = sizeof(ogive::Index), image = sizeof(ogive::MirrorImage);
+  constexpr double number = sizeof(T), index = sizeof(ogive::Index), image = sizeof(ogive::ClusterImage),
+                   single = sizeof(float);
   const double particles = static_cast<double>(body.points.size()), images = static_cast<double>(n.images.size());
-  const double lists = index * static_cast<double>(n.list.size()), places = particles + images;
+  const double lists = index * static_cast<double>(n.list.size()), seen = static_cast<double>(ogive::places(n));
   // Position, velocity, volume of all places; correction and velocity gradient are written.
-  const double gradient = lists + 7 * number * places + (index + (9 + 9) * number) * particles;
+  const double gradient = lists + 7 * single * seen + (index + 9 * single + 9 * number) * particles;
   // First loop: density, mass, pressure, deviator, correction are read; flux and density written. Images: flux and
   // density written. Last loop: position, velocity, volume, density, flux of all places; force and viscous energy are
   // changed.
-  const double force = (index + (3 + 6 + 9 + 9 + 1) * number) * particles + (image + 10 * number) * images + lists +
-                       (6 + 2 + 9) * number * places + (index + (3 + 1) * 2 * number) * particles;
+  const double force = (index + 9 * number + 19 * single) * particles + (image + 40 * single) * images + lists +
+                       (8 + 9) * single * seen + (index + (3 + 1) * 2 * number) * particles;
   // Velocity gradient, the last elastic limit with its strain and temperature are read; the 13 numbers of a point are
   // changed.
   const double stress = (9 + 3 + 2 * 13) * number * particles;
@@ -121,15 +116,16 @@ template <class Body, class T> Json memory_of(const Body &body, const ogive::Nod
   double points = bytes_of(p.velocity_gradient, p.quasi_static_yield, p.yield_strain, p.yield_temperature,
                            body.point_mass, body.viscous_energy);
   ogive::for_each_point_field(p, [&](const char *, const char *, const auto &field) { points += bytes(field); });
-  double pair_data = bytes_of(d.x, d.y, d.z, d.vx, d.vy, d.vz, d.volume, d.density, d.smoothing);
+  double pair_data = bytes_of(d.motion, d.flux, d.pressure, d.smoothing);
   for (const auto &component : d.correction) pair_data += bytes(component);
-  for (const auto &component : d.flux) pair_data += bytes(component);
   const double of_nodes = bytes_of(nodes.position, nodes.velocity, nodes.force, nodes.mass, nodes.held);
   return {{"nodes", of_nodes * static_cast<double>(body.nodes.size()) / static_cast<double>(nodes.size())},
           {"points", points},
           {"pair_data", pair_data},
           {"neighbours", bytes_of(n.order, n.images, n.built_at)},
-          {"lists", bytes_of(n.cluster_begin, n.list)}};
+          {"lists", bytes_of(n.cluster_begin, n.list, n.within)},
+          {"bonds", bytes_of(body.bonds.begin, body.bonds.other, body.bonds.images, body.bonds.moment,
+                             body.bonds.energy, body.bonds.ends)}};
 }
 
 /// Resident set of this process, bytes; memory that is free is given back first. The peak begins anew from it.
@@ -157,18 +153,29 @@ struct Plan {
   int steps = 0;      ///< that are timed; 0: whole cycles between two rebuilds of the neighbour lists
   int repeats = 3;    ///< measurements, of which the median counts
   bool quick = false; ///< short measurements of the machine
+  std::vector<std::string> methods{"sfm", "stabilised"};
   double seconds = 3; ///< at least, of one measurement: the steps are repeated from the same state
 };
 
-/// A quarter of about so many particles: 12 mm Weldox 460 E, blunt projectile, 303.5 m/s.
-inline auto make_shot(double particles) {
+/// A quarter of about so many particles: 12 mm Weldox 460 E, blunt projectile, 303.5 m/s; with the damage that the
+/// method needs.
+inline auto make_shot(double particles, const std::string &name) {
+  const ogive::Method method = name == "sfm" ? ogive::Method::sfm : ogive::Method::stabilised;
   ogive::PerforationCase<double> shot{.thickness = 12e-3, .sph_radius = 24e-3, .initial_velocity = 303.5};
   shot.spacing = std::cbrt(0.25 * std::numbers::pi * shot.sph_radius * shot.sph_radius * shot.thickness / particles);
-  return ogive::make_perforation(shot, ogive::library::weldox_460e_mjc<double>(),
-                                 ogive::library::arne_tool_steel<double>());
+  auto metal = ogive::library::weldox_460e_mjc<double>();
+  if (method == ogive::Method::stabilised) {
+    ogive::Damage<double> &damage = metal.damage;
+    damage.law = ogive::DamageLaw::johnson_cook, damage.effect = ogive::FailureEffect::no_tension;
+    damage.softening = ogive::softening_of_damage(method), damage.length = damage.shear_length;
+    damage.length_exponent = ogive::length_exponent_of_damage(method);
+    damage.length_scope = ogive::length_scope_of_damage(method);
+  }
+  return ogive::make_perforation(shot, metal, ogive::library::arne_tool_steel<double>(),
+                                 ogive::options_of<double>(method));
 }
 
-using Shot = decltype(make_shot(1.0));
+using Shot = decltype(make_shot(1.0, ""));
 
 /// Some steps and what they took.
 struct Window {
@@ -256,16 +263,18 @@ inline Json time_steps(const Shot &loaded, int steps, int threads, const Plan &p
 }
 
 /// Shoots a quarter of about `particles` particles. `progress(text)` is called now and then.
-inline Json measure_shot(double particles, const Plan &plan, const std::function<void(const std::string &)> &progress) {
+inline Json measure_shot(double particles, const std::string &method, const Plan &plan,
+                         const std::function<void(const std::string &)> &progress) {
   omp_set_num_threads(*std::max_element(plan.threads.begin(), plan.threads.end()));
   progress("loading the plate");
   const double before = restart_peak();
-  Shot loaded = make_shot(particles);
+  Shot loaded = make_shot(particles, method);
   // Until the plate is loaded, at 2 us, and its lists have just been built, so that cycles of them begin here.
   advance_until(loaded, [&](const Window &w) { return w.steps >= 30 && loaded.time >= 2e-6; });
   advance_until(loaded, [](const Window &w) { return w.rebuilds > 0 || w.steps >= 100; });
   const auto &disc = ogive::plate_particles(loaded);
-  Json result = work_of(disc, loaded.nodes);
+  Json result{{"method", method}};
+  result.update(work_of(disc, loaded.nodes));
   result["memory_bytes"] = memory_of(disc, loaded.nodes);
   result["memory_bytes"]["process"] = peak_bytes() - before;
   result["spacing_m"] = disc.spacing;

@@ -79,6 +79,7 @@ def read_options():
 
     option = command("performance", "performance", "make_tables", "print the tables of docs/performance.md")
     option("file", type=Path, help="what bench_step has printed")
+    option("--before", type=Path, help="what that of an earlier version printed: to be compared with")
     inserted(option)
 
     option = command("insert", "insert", "insert_input",

@@ -23,95 +23,71 @@ def bounds(shot, timing, limits):
         of_triad = work["bytes"] / seconds / limits["triad_byte_per_s"]
         counts, bound = ["not counted"] * 3, "memory" if of_triad > 0.5 else "not memory"
         if entries is not None:
-            lane_pairs, peak = entries * shot["lanes"] / seconds, limits["flop_per_s"]
-            flops = work["flop_per_lane_pair"] * lane_pairs
-            busy = 2 * work["instructions_per_lane_pair"] * lane_pairs / peak
-            counts = [f"{flops * 1e-9:.1f}", f"{100 * flops / peak:.0f}", f"{100 * busy:.0f}"]
+            lane_pairs, peak = entries * shot["lane_pairs_of_entry"], limits["flop_per_s"]
+            flops = work["flop_per_lane_pair"] * lane_pairs / seconds
+            busy = 2 * work["instructions_per_lane_pair"] * lane_pairs / seconds / peak
+            counts = [f"{100 * shot['pairs'] / lane_pairs:.0f}", f"{flops * 1e-9:.1f}", f"{100 * busy:.0f}"]
             # What would take more than half of the time by itself.
             bound = "neither" if max(busy, of_triad) <= 0.5 else "arithmetic" if busy > of_triad else "memory"
-        yield [loop, *counts, f"{work['bytes'] / shot['particles']:.0f}", f"{work['bytes'] / seconds * 1e-9:.1f}",
-               f"{100 * of_triad:.0f}", bound]
+        yield [loop, *counts, f"{work['bytes'] / shot['particles']:.0f}", f"{100 * of_triad:.0f}", bound]
 
 
-def states(shot):
-    """Each hash with the numbers of threads that lead to it."""
-    pairs = [(timing["state_hash"], str(timing["threads"])) for timing in shot["timings"]]
-    return [[str(shot["particles"]), found, ", ".join(threads for other, threads in pairs if other == found)]
-            for found in dict(pairs)]
-
-
-def tables(report):
-    shots = [{**shot, "lanes": report["lanes"]} for shot in report["shots"]]
+def tables(report, earlier=None):
+    """All tables; with an earlier measurement, the times of that one beside those of `report`."""
+    shots = [{"method": "sfm", "lane_pairs_of_entry": report["lane_pairs_of_entry"], **shot} for shot in report["shots"]]
     every = [(shot, timing, limits) for shot in shots for timing, limits in zip(shot["timings"], report["limits"])]
+    before = {(shot.get("method", "sfm"), round(shot["particles"], -3), timing["threads"]): (shot, timing)
+              for shot in (earlier or {"shots": []})["shots"] for timing in shot["timings"]}
 
-    def each(header, cells):
-        return aligned(["particles", "threads", *header],
-                       [[str(shot["particles"]), str(timing["threads"]), *cells(shot, timing)] for shot, timing, _ in every])
+    def of_case(shot, timing):
+        return [shot["method"], str(shot["particles"]), str(timing["threads"])]
 
-    def steps(shot, timing):
-        ns = 1e9 / shot["particles"]
-        return [f"{timing['step_s'] * ns:.0f}", *(f"{timing['phases_s'][phase] * ns:.1f}" for phase in SHOWN),
-                f"{shot['timings'][0]['step_s'] / timing['step_s']:.2f}", f"{100 * timing['spread']:.1f}"]
+    def steps():
+        for shot, timing, _ in every:
+            found = before.get((shot["method"], round(shot["particles"], -3), timing["threads"]))
+            cases = ([("before", *found)] if found else []) + [("now" if earlier else "", shot, timing)]
+            for label, one, times in cases:
+                ns = 1e9 / one["particles"]
+                ratio = f"{timing['step_s'] / shot['particles'] / found[1]['step_s'] * found[0]['particles']:.2f}" \
+                    if found and one is shot else ""
+                yield [*of_case(shot, timing), label, f"{times['step_s'] * ns:.0f}", ratio,
+                       *(f"{times['phases_s'][phase] * ns:.1f}" for phase in SHOWN), f"{times['rebuild_s'] * ns:.0f}",
+                       f"{times['phases_s']['hexes'] * 1e9 / one['hexes']:.0f}",
+                       f"{times['phases_s']['contact'] * 1e9 / one['slaves']:.1f}"]
 
-    def parts(shot, timing):
-        phases, rebuild = timing["phases_s"], timing["rebuild_s"]
-        return [*(f"{phases[phase] * 1e9 / shot[things]:.2f}" for phase, things in (
-            ("gradient", "pairs"), ("force", "pairs"), ("hexes", "hexes"), ("contact", "slaves"))),
-            f"{rebuild * 1e3:.2f}", f"{rebuild * 1e9 / shot['particles']:.0f}"]
+    def memory():
+        for shot in shots:
+            m = shot["memory_bytes"]
+            names = [name for name in ("nodes", "points", "pair_data", "neighbours", "lists", "bonds") if name in m]
+            found = before.get((shot["method"], round(shot["particles"], -3), shot["timings"][0]["threads"]))
+            old = found and f"{found[0]['memory_bytes']['process'] / found[0]['particles']:.0f}"
+            yield [shot["method"], str(shot["particles"]), *(f"{m[name] / shot['particles']:.0f}" for name in names),
+                   f"{sum(m[name] for name in names) / shot['particles']:.0f}",
+                   f"{m['process'] / shot['particles']:.0f}", old or ""]
 
-    def work(shot):
-        def lane_share(entries):
-            return f"{100 * shot['pairs'] / (shot[entries] * shot['lanes']):.0f}"
-
-        return [str(shot["particles"]), f"{shot['spacing_m'] * 1e3:.3f}", str(shot["images"]), str(shot["hexes"]),
-                f"{100 * shot['flowing'] / shot['particles']:.1f}", f"{shot['pairs'] / shot['particles']:.1f}",
-                *(f"{shot[entries] / shot['clusters']:.1f}" for entries in ("listed", "within")), lane_share("listed"),
-                lane_share("within"), str(shot["start_step"]), f"{shot['start_time_s'] * 1e6:.2f}", str(shot["steps"]),
-                str(shot["rebuilds"])]
-
-    def memory(shot):
-        m = shot["memory_bytes"]
-        names = ("nodes", "points", "pair_data", "neighbours", "lists")
-        return [str(shot["particles"]), *(f"{value / shot['particles']:.0f}" for value in (
-            *(m[name] for name in names), sum(m[name] for name in names))), f"{m['process'] * 1e-6:.0f}",
-            f"{m['process'] / shot['particles']:.0f}"]
-
-    packs = {name: f"{seconds * 1e9:.2f} ns" for name, seconds in report["pack_s"].items()}
     return "\n\n".join([
-        f"Made by `bench/performance.sh` with ogive {report['version']} on {report['cores']} cores; medians of "
-        f"{report['repeats']} measurement{'' if report['repeats'] == 1 else 's'}.",
-        f"Limits of the machine: registers of {report['register_bits']} bits, {report['lanes']} doubles in a pack, "
-        f"{report['cores']} cores, triad over {report['triad_bytes'] / 2**20:.0f} MiB:",
-        aligned(["threads", "triad, GB/s", "multiply-add, Gflop/s"],
-                [[str(m["threads"]), f"{m['triad_byte_per_s'] * 1e-9:.1f}", f"{m['flop_per_s'] * 1e-9:.1f}"]
-                 for m in report["limits"]]),
-        f"One thread needs for a pack: division {packs['division']}, square root {packs['square_root']}, `reciprocal` "
-        f"{packs['reciprocal']}, `inverse_sqrt` {packs['inverse_square_root']}.",
-        "Wall time, ns per particle and step:", each(["all", *SHOWN, "speed-up", "spread, %"], steps),
-        "Wall time of a step's parts, and what a step takes longer in which the lists are built anew:",
-        each(["gradient, ns/pair", "force, ns/pair", "hexes, ns/element", "contact, ns/slave", "new lists, ms",
-              "new lists, ns/particle"], parts),
-        "Against the limits of the machine with as many threads:",
-        aligned(["particles", "threads", "loop", "Gflop/s", "of peak, %", "units busy, %", "byte/particle", "GB/s",
+        f"Made by `bench/performance.sh` with ogive {report['version']} on {report['cores']} cores, registers of "
+        f"{report['register_bits']} bits; medians of {report['repeats']} "
+        f"measurement{'' if report['repeats'] == 1 else 's'}. The machine: "
+        + "; ".join(f"{m['threads']} thread{'' if m['threads'] == 1 else 's'}: triad {m['triad_byte_per_s'] * 1e-9:.1f} GB/s, "
+                    f"multiply-adds {m['flop_per_s'] * 1e-9:.0f} Gflop/s" for m in report["limits"]) + ".",
+        "Wall time, ns per particle and step; *lists* is what a step takes longer in which the lists are built anew; "
+        "hexes in ns per hex, contact in ns per slave too:",
+        aligned(["method", "particles", "threads", "", "all", "ratio", *SHOWN, "lists", "per hex", "per slave"], list(steps())),
+        "The loops against the machine with as many threads: the share of the computed pairs that lie within the support, "
+        "the share of the time that the arithmetic units are busy, and of the memory's throughput:",
+        aligned(["method", "particles", "threads", "loop", "pairs, %", "Gflop/s", "units busy, %", "byte/particle",
                  "of triad, %", "bound by"],
-                [[str(shot["particles"]), str(timing["threads"]), *row] for shot, timing, limits in every
-                 for row in bounds(shot, timing, limits)]),
-        "What was computed: neighbours of a particle within the support, entries in the list of a cluster and those within "
-        "the support of one of its particles, and how many of the pairs that the two loops compute count:",
-        aligned(["particles", "spacing, mm", "images", "hexes", "flowing, %", "neighbours", "list", "within", "gradient, %",
-                 "force, %", "first step", "at, us", "steps", "new lists"], list(map(work, shots))),
-        "Memory of the disc, byte per particle, and the most that the process took, with hexes, contact and what is needed for "
-        "a while only:",
-        aligned(["particles", "nodes", "points", "pair data", "places", "lists", "sum", "process, MB",
-                 "process, byte/particle"], list(map(memory, shots))),
-        "State after the steps that were timed:",
-        aligned(["particles", "hash of the state", "threads that lead to it"],
-                [row for shot in shots for row in states(shot)])])
+                [[*of_case(shot, timing), *row] for shot, timing, limits in every for row in bounds(shot, timing, limits)]),
+        "Memory of the disc, byte per particle, and the most that the process took, with hexes, contact and what is needed "
+        "for a while only:",
+        aligned(["method", "particles", "nodes", "points", "pair data", "places", "lists", "bonds", "sum", "process",
+                 "before"], list(memory()))])
 
 
-def make_tables(file, put_in=False):
+def make_tables(file, put_in=False, before=None):
     """Prints the tables of a measurement, and puts them into their page."""
-    text = tables(read_json(file))
+    text = tables(read_json(file), read_json(before) if before else None)
     print(text)
     if put_in:
         insert(ROOT / "docs" / "performance.md", text, "tables: bench/performance.sh")

@@ -43,7 +43,7 @@ TEST_CASE("a blunt shot is perforated once its velocity is steady and the plug l
   fly(flight, 50, 200, slowing, loose);
   CHECK(flight.state == FlightState::perforated);
   CHECK(residual_velocity(flight) == 200);
-  CHECK(flight.samples.back().time == Approx(60e-6)); // 10 us after the velocity came to rest
+  CHECK(flight.samples.back().time == Approx(52e-6)); // 2 us after nothing touches the projectile any more
   CHECK_FALSE(flight.velocity_at_tail);
   // Who goes on to watch the plate changes no conclusion, and does not look for the plug again.
   record(flight, {61e-6, -100, 0, 0, 0, -100}, [] {

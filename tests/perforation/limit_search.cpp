@@ -119,6 +119,9 @@ TEST_CASE("a limit that is expected rightly takes two shots, one that is expecte
   // Just above a shot that was stopped, and just below one that perforated: the other end of a bracket of 5 m/s.
   CHECK(next_velocity(Shots{{198, false}, {250, true}}, 200, 5, 1, 200.0).value() == 203);
   CHECK(next_velocity(Shots{{150, false}, {204, true}}, 200, 5, 1, 200.0).value() == 199);
+  // Both sides of a limit that coarser particles promise, without a shot that perforated.
+  CHECK(next_velocity(Shots{{198, false}}, 198, 5, 1, 200.4).value() == 203);
+  CHECK(next_velocity(Shots{{198, false}}, 198, 5, 1, 190.0).value() == 210); // contradicted: a step of 6 %
   // What shots contradict, and what lies outside of all sense, does not count.
   CHECK(next_velocity(Shots{{198, false}, {250, true}}, 200, 5, 1, 190.0).value() == 224);
   CHECK(next_velocity(Shots{{150, false}, {250, true}}, 200, 5, 1, 260.0).value() == 200);

@@ -20,7 +20,7 @@ TEST_CASE("a shot keeps energy and gives its momentum to the supports", "[sim]")
   CHECK(now.friction > 0);
   // Leapfrog and trapezoidal work sums: what is left is of second order in the step. 0.02 % was measured.
   CHECK(balance.energy_error < 0.005);
-  // Forces add up to zero: round-off of about a thousand steps.
+  // Forces add up to zero: round-off of about a thousand steps; forces between particles are of single precision.
   CHECK(std::abs(model.symmetry.copies() * model.support_impulse[2]) > 1e-6 * std::abs(p));
-  CHECK(balance.momentum_error < 1e-10);
+  CHECK(balance.momentum_error < 1e-8);
 }

@@ -30,8 +30,8 @@ template <class M> void tear(M model) {
     if (model.steps % 10 == 0) worst = std::max(worst, std::abs(total(energy(model)) / e - 1));
   }
   CHECK_FALSE(find_not_finite(model));
-  // Each force has its counterforce, whatever has failed: round-off of some hundred steps.
-  CHECK((momentum_of(model.nodes, {0, model.nodes.size()}) - p).norm() < 1e-11 * p.norm());
+  // Each force has its counterforce, whatever has failed: round-off of some hundred steps in single precision.
+  CHECK((momentum_of(model.nodes, {0, model.nodes.size()}) - p).norm() < 1e-7 * p.norm());
   double after = 0;
   for (double m : model.nodes.mass) after += m;
   CHECK(after == mass);
@@ -72,7 +72,7 @@ TEST_CASE("a plate that loses its particles keeps energy and momentum, and the p
                          brittle(library::weldox_460e_mjc<double>(), effect), library::arne_tool_steel<double>());
     const Balance balance = follow(model, 25e-6);
     CHECK(balance.energy_error < 0.0005); // 0.002 % was measured
-    CHECK(balance.momentum_error < 1e-10);
+    CHECK(balance.momentum_error < 1e-8);
     return model;
   };
   const int before = omp_get_max_threads();

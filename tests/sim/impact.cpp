@@ -6,8 +6,8 @@ using namespace sim_test;
 
 namespace {
 
-void check(const Strike &strike) {
-  CHECK(strike.momentum_error < 1e-13);
+void check(const Strike &strike, double round_off) {
+  CHECK(strike.momentum_error < round_off);
   CHECK(strike.energy_error < 0.01);
   CHECK(strike.stored > 0.01); // there was an impact
   // Springs give back what they took, but for the fraction of a step in which a slave meets or leaves the surface: up
@@ -20,8 +20,10 @@ void check(const Strike &strike) {
 
 } // namespace
 
-TEST_CASE("an elastic impact of two hex blocks keeps momentum and energy", "[sim]") { check(strike_with_hexes()); }
+TEST_CASE("an elastic impact of two hex blocks keeps momentum and energy", "[sim]") {
+  check(strike_with_hexes(), 1e-13);
+}
 
 TEST_CASE("an elastic impact of particles on hexes keeps momentum and energy", "[sim]") {
-  check(strike_with_particles());
+  check(strike_with_particles(), 1e-8); // forces between particles are of single precision
 }

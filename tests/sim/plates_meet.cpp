@@ -52,7 +52,8 @@ TEST_CASE("equal plates that meet exchange their velocities", "[sim]") {
   // The wave has come back from the free faces after two transits and taken the plates apart.
   CHECK(velocity_of(model, upper.nodes) == Approx(0).margin(0.03 * speed));
   CHECK(velocity_of(model, lower.nodes) == Approx(-speed).epsilon(0.03));
-  CHECK((momentum(model) - momentum_before).norm() < 1e-13 * momentum_before.norm());
+  // Forces between particles of a plate are of single precision.
+  CHECK((momentum(model) - momentum_before).norm() < 1e-7 * momentum_before.norm());
   const auto e = energy(model);
   CHECK(total(e) == Approx(total_before).epsilon(2e-3));
   CHECK(std::abs(e.contact) < 0.003 * total_before); // the springs have given back what they took
@@ -81,7 +82,7 @@ TEST_CASE("the wave that a plate sends into another has half its velocity and th
   // Particles at a free face lack neighbours, and the contact is a spring: the first wave rings a little behind its
   // front. Both plates see the same by symmetry, so that the mean of both is exact.
   CHECK(mean_near(upper, v) == Approx(-speed / 2).epsilon(0.03));
-  CHECK(mean_near(upper, v) + mean_near(lower, v) == Approx(-speed).epsilon(1e-9));
+  CHECK(mean_near(upper, v) + mean_near(lower, v) == Approx(-speed).epsilon(1e-6));
   CHECK(mean_near(upper, push) == Approx(impedance * speed / 2).epsilon(0.03));
   CHECK(mean_near(lower, push) == Approx(impedance * speed / 2).epsilon(0.03));
 }

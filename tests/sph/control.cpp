@@ -42,13 +42,13 @@ void set_sawtooth(Bonded &b, double speed) {
     b.nodes.velocity[i] = V(std::lround(b.nodes.position[i][0] / 1e-3 - 0.5) % 2 ? speed : -speed, 0, 0);
 }
 
-constexpr Index width = lanes<double>;
+constexpr Index width = lanes<float>;
 
 double largest_moment(const Bonded &b) {
   const auto &bonds = b.body.bonds;
   double largest = 0;
-  for (std::size_t k = 0; k < bonds.ends.size(); ++k) {
-    const double *of_row = &bonds.moment[3 * (k - k % width)];
+  for (std::size_t k = 0; k < bonds.other.size(); ++k) {
+    const float *of_row = &bonds.moment[3 * (k - k % width)];
     largest = std::max(largest, V(of_row[k % width], of_row[width + k % width], of_row[2 * width + k % width]).norm());
   }
   return largest;
@@ -59,7 +59,7 @@ int bonds_of(const Bonded &b, Index i) {
   const auto &bonds = b.body.bonds;
   int count = 0;
   for (auto row = bonds.begin[i / width]; row < bonds.begin[i / width + 1]; ++row)
-    count += bonds.ends[row * width + i % width].other != i;
+    count += bonds.other[row * width + i % width] != i;
   return count;
 }
 
@@ -72,8 +72,9 @@ TEST_CASE("bonds see nothing of a linear field of velocity", "[sph]") {
   for (Index i = 0; i < b.nodes.size(); ++i) b.nodes.velocity[i] = L * b.nodes.position[i];
   compute_forces(b, 1e-8);
   REQUIRE(bonds_of(b, 0) > 0);
-  // A bond of 1 mm that opened with this gradient would have 0.1 G 250/s 1e-8 s 1 mm = 19 Pa m; the rest is round-off.
-  CHECK(largest_moment(b) < 1e-8);
+  // A bond of 1 mm that opened with this gradient would have 0.1 G 250/s 1e-8 s 1 mm = 19 Pa m; the rest is round-off
+  // of single precision, 1e-7 of the velocities, which are those of a block of 6 mm.
+  CHECK(largest_moment(b) < 1e-4);
 }
 
 TEST_CASE("a particle inside is bonded to the 18 nearest of a cubic lattice", "[sph]") {
@@ -103,7 +104,7 @@ TEST_CASE("bonds resist neighbours that move against each other, without momentu
   V sum = V::Zero();
   double size = 0;
   for (const V &f : with.nodes.force) sum += f, size += f.norm();
-  CHECK(sum.norm() < 1e-13 * size);
+  CHECK(sum.norm() < 1e-6 * size); // single precision, the forces of hundreds of pairs
   CHECK(hourglass_energy(with.body) > 0);
   CHECK(hourglass_energy(without.body) == 0);
 }
@@ -134,8 +135,8 @@ TEST_CASE("bonds across mirror planes are those of the whole block", "[sph]") {
   for (Index i = 0; i < whole.nodes.size(); ++i)
     for (Index k = 0; k < quarter.nodes.size(); ++k)
       if ((whole.nodes.position[i] - quarter.nodes.position[k]).norm() < 1e-9) {
-        REQUIRE((whole.nodes.force[i] - quarter.nodes.force[k]).norm() < 1e-9 * size);
-        REQUIRE(whole.body.bonds.energy[i] == Approx(quarter.body.bonds.energy[k]).epsilon(1e-9));
+        REQUIRE((whole.nodes.force[i] - quarter.nodes.force[k]).norm() < 1e-6 * size);
+        REQUIRE(whole.body.bonds.energy[i] == Approx(quarter.body.bonds.energy[k]).epsilon(1e-5));
         ++compared;
       }
   CHECK(compared == 4 * 4 * 5);
@@ -169,7 +170,7 @@ TEST_CASE("a bond bears a fraction of the flow stress, less while the metal flow
   }
   CHECK(largest_moment(strong) > 1);
   // 0.2 of the flow stress over the longest bond.
-  CHECK(largest_moment(weak) <= 0.2 * 1e6 * std::sqrt(2.0) * 1e-3 * (1 + 1e-12));
+  CHECK(largest_moment(weak) <= 0.2 * 1e6 * std::sqrt(2.0) * 1e-3 * (1 + 1e-6));
 
   Bonded flowing = bonded();
   compute_forces(flowing, 1e-8);
@@ -177,7 +178,7 @@ TEST_CASE("a bond bears a fraction of the flow stress, less while the metal flow
   prepare(flowing.body, flowing.nodes), velocity_gradient(flowing.body);
   std::fill(flowing.body.points.plastic_strain_rate.begin(), flowing.body.points.plastic_strain_rate.end(), 1.0);
   add_internal_force(flowing.body, flowing.nodes, 1e-8);
-  CHECK(largest_moment(flowing) == Approx(0.1 * largest_moment(strong)).epsilon(1e-9));
+  CHECK(largest_moment(flowing) == Approx(0.1 * largest_moment(strong)).epsilon(1e-6));
 
   strong.body.metal.damage.effect = FailureEffect::no_tension;
   std::fill(strong.body.points.damage.begin(), strong.body.points.damage.end(), 1.0);

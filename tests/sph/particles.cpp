@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <random>
 #include <set>
@@ -21,9 +22,9 @@ namespace {
 /// Checks that all particles but some of the block's corners find the gradient L: jitter can take a corner more of its
 /// neighbours than the correction stands.
 void check_gradient(const std::vector<Mat3<double>> &found, const Mat3<double> &L, int corners) {
-  // Exact by construction; round-off of about 80 terms.
+  // Exact by construction; round-off of about 80 terms in single precision, of velocities and distances over the block.
   const auto off = std::count_if(found.begin(), found.end(),
-                                 [&](const Mat3<double> &f) { return !((f - L).norm() < 1e-10 * L.norm()); });
+                                 [&](const Mat3<double> &f) { return !((f - L).norm() < 1e-5 * L.norm()); });
   CHECK(off < corners);
 }
 
@@ -47,6 +48,20 @@ TEMPLATE_TEST_CASE("kernels integrate to one and have the gradient of their valu
   CHECK(std::isfinite(gradient_over_r<TestType>(0.0, 1 / h)));
 }
 
+/// A particle, another one, and whether the other is seen in the mirrors x and y.
+using Link = std::array<Index, 4>;
+
+/// The pairs of a body's lists that are nearer than their reach.
+template <class Body> std::multiset<Link> links_of(const Body &body, const std::vector<Vec3<double>> &positions) {
+  std::multiset<Link> links;
+  const auto &n = body.neighbours;
+  for (Index c = 0; c < clusters(n); ++c)
+    for_each_listed_pair(n, c, [&](Index i, Index j, Reflection in) {
+      if ((reflected(positions[j], in) - positions[i]).norm() < n.reach) links.insert({i, j, in.x, in.y});
+    });
+  return links;
+}
+
 TEST_CASE("neighbour lists hold what brute force finds, mirror images included", "[sph]") {
   const auto layout = block(9, 8, 7, 0.3);
   Nodes<double> nodes;
@@ -54,29 +69,31 @@ TEST_CASE("neighbour lists hold what brute force finds, mirror images included",
   prepare(body, nodes);
   const auto &n = body.neighbours;
   const Index count = body.points.size();
-  std::vector<Vec3<double>> at_place;
-  for (const Index i : n.order) at_place.push_back(layout.positions[i]);
-  for (const auto &image : n.images) {
-    REQUIRE(n.order[image.place] == image.parent);
-    at_place.push_back(reflected(layout.positions[image.parent], image.reflection));
-  }
-  REQUIRE(n.order.size() % lanes<double> == 0);
+  REQUIRE(n.order.size() % block_size<> == 0);
   REQUIRE(std::set<Index>(n.order.begin(), n.order.end()).size() == std::size_t(count));
-  using Point = std::array<double, 3>;
-  for (Index c = 0; c < clusters(n); ++c) {
-    std::set<Point> found, expected;
-    for (Index place : row(n, c)) {
-      const Vec3<double> &x = at_place[place];
-      REQUIRE(found.insert({x[0], x[1], x[2]}).second); // each once
-    }
-    for (Index l = 0; l < lanes<double>; ++l)
-      for (int flips = 0; flips < 4; ++flips)
-        for (Index j = 0; j < count; ++j) {
-          const Vec3<double> x = reflected(layout.positions[j], {(flips & 1) != 0, (flips & 2) != 0});
-          if ((x - at_place[c * lanes<double> + l]).norm() < n.reach) expected.insert({x[0], x[1], x[2]});
-        }
-    REQUIRE(found == expected);
-  }
+  std::multiset<Link> expected; // each once
+  for (Index i = 0; i < count; ++i)
+    for (std::uint8_t x = 0; x < 2; ++x)
+      for (std::uint8_t y = 0; y < 2; ++y)
+        for (Index j = 0; j < count; ++j)
+          if ((reflected(layout.positions[j], {x, y}) - layout.positions[i]).norm() < n.reach)
+            expected.insert({i, j, x, y});
+  REQUIRE(links_of(body, layout.positions) == expected);
+}
+
+TEST_CASE("lists of points that are spread widely hold what brute force finds", "[sph]") {
+  // More columns would be needed than there may be: distant points share the outermost ones.
+  auto layout = block(6, 6, 6, 0.3);
+  for (std::size_t k = 0; k < layout.positions.size(); k += 7)
+    layout.positions[k] += Vec3<double>(0.05 * double(k % 5), -0.2 * double(k % 3), 0.1 * double(k % 2));
+  Nodes<double> nodes;
+  auto body = add_sph_body(nodes, layout, library::weldox_460e_mjc<double>(), "debris");
+  prepare(body, nodes);
+  std::multiset<Link> expected;
+  for (Index i = 0; i < body.points.size(); ++i)
+    for (Index j = 0; j < body.points.size(); ++j)
+      if ((layout.positions[j] - layout.positions[i]).norm() < body.neighbours.reach) expected.insert({i, j, 0, 0});
+  REQUIRE(links_of(body, layout.positions) == expected);
 }
 
 TEST_CASE("a particle behind a mirror plane and its neighbours find each other both ways", "[sph]") {
@@ -86,22 +103,8 @@ TEST_CASE("a particle behind a mirror plane and its neighbours find each other b
   Nodes<double> nodes;
   auto body = add_sph_body(nodes, layout, library::weldox_460e_mjc<double>(), "block", {true, true});
   prepare(body, nodes);
-  const Index n = body.points.size();
-  using Link = std::array<Index, 4>; // particle, other particle, mirrored at x, at y
-  std::set<Link> links;
-  const auto &lists = body.neighbours;
-  const Index places = static_cast<Index>(lists.order.size());
-  for (Index c = 0; c < clusters(lists); ++c)
-    for (Index k : row(lists, c)) {
-      if (k < places) continue;
-      const MirrorImage &image = lists.images[k - places];
-      for (Index i = c * lanes<double>; i < std::min(n, (c + 1) * lanes<double>); ++i)
-        // A list is that of a cluster: not all of it is within reach of each particle.
-        if ((reflected(layout.positions[image.parent], image.reflection) - layout.positions[lists.order[i]]).norm() <
-            lists.reach)
-          links.insert({lists.order[i], image.parent, image.reflection.x, image.reflection.y});
-    }
-  CHECK(links.size() > 1000);
+  const auto links = links_of(body, layout.positions);
+  CHECK(std::count_if(links.begin(), links.end(), [](const Link &l) { return l[2] || l[3]; }) > 1000);
   for (const Link &l : links) REQUIRE(links.count({l[1], l[0], l[2], l[3]}) == 1);
 }
 
@@ -167,8 +170,8 @@ TEST_CASE("pressures that alternate from particle to particle cancel in the mean
     // Images go on beyond x = 0 and y = 0.
     if (along(i, 0) > 5 || along(i, 1) > 5 || std::abs(along(i, 2) - 4) > 2) continue;
     ++inside;
-    // The kernel takes no distance for shorter than 1e-6 h: 1e-6 of the particle's own weight.
-    REQUIRE(body.points.neighbour_pressure[i] == Approx(alternating / all * body.points.pressure[i]).epsilon(1e-5));
+    // The kernel is good to 14 bits, and a fifth of the sums is left.
+    REQUIRE(body.points.neighbour_pressure[i] == Approx(alternating / all * body.points.pressure[i]).epsilon(3e-4));
   }
   CHECK(inside == 5 * 5 * 4);
   CHECK(alternating < 0.2 * all); // the mean keeps little of it
@@ -177,7 +180,7 @@ TEST_CASE("pressures that alternate from particle to particle cancel in the mean
   mean_of([&](Index i) { return 1e8 * along(i, 2); });
   for (Index i = 0; i < body.points.size(); ++i)
     if (along(i, 0) < 5 && along(i, 1) < 5 && std::abs(along(i, 2) - 4) < 2)
-      REQUIRE(body.points.neighbour_pressure[i] == Approx(body.points.pressure[i]).epsilon(1e-9));
+      REQUIRE(body.points.neighbour_pressure[i] == Approx(body.points.pressure[i]).epsilon(1e-6));
 }
 
 TEST_CASE("particles that neighbours do not surround keep the plain gradient", "[sph]") {
@@ -280,10 +283,11 @@ TEMPLATE_TEST_CASE("internal forces are the transpose of the gradient and conser
     stress_power += body.point_mass[i] / body.points.density[i] *
                     double_dot(stress(load(body.points, i)), symmetric_part(body.points.velocity_gradient[i]));
   }
-  // Both hold to round-off: pairs are antisymmetric, and f is minus the derivative of the stress power.
-  CHECK(sum.norm() < 1e-12 * scale);
+  // Both hold to round-off of single precision: pairs are antisymmetric, and f is minus the derivative of the stress
+  // power.
+  CHECK(sum.norm() < 1e-6 * scale);
   // sigma : L with sigma symmetric; L itself is not symmetrised in the force, so the two agree exactly.
-  CHECK(power == Approx(-stress_power).epsilon(1e-10));
+  CHECK(power == Approx(-stress_power).epsilon(1e-5));
 }
 
 TEST_CASE("artificial viscosity takes energy and only from approaching pairs", "[sph]") {
@@ -305,7 +309,7 @@ TEST_CASE("artificial viscosity takes energy and only from approaching pairs", "
   CHECK(forces_for(+1e3) == 0.0);
   const double power = forces_for(-1e3);
   CHECK(power < 0);
-  CHECK(viscous_energy(body) == Approx(-power).epsilon(1e-12)); // the ledger holds what the forces take
+  CHECK(viscous_energy(body) == Approx(-power).epsilon(1e-6)); // the ledger holds what the forces take
 }
 
 TEST_CASE("a block of particles that turns as a rigid body stays free of stress", "[sph]") {
@@ -326,10 +330,11 @@ TEST_CASE("a block of particles that turns as a rigid body stays free of stress"
     velocity_gradient(body);
     update_stress(body, dt);
   }
-  // More than a full turn. Exact gradient, midstep rate: only round-off times the number of steps is left, 1e-9 of E.
+  // More than a full turn. Exact gradient, midstep rate: only round-off is left. A gradient is exact to about 1e-6,
+  // that is 1e-8 of strain a step of 0.01 rad, which adds up as a random walk of 700 steps: 3e-7 of E.
   for (Index i = 0; i < body.points.size(); ++i) {
-    REQUIRE(von_mises(body.points.deviator[i]) < 200.0);
-    REQUIRE(std::abs(body.points.pressure[i]) < 200.0);
+    REQUIRE(von_mises(body.points.deviator[i]) < 60e3);
+    REQUIRE(std::abs(body.points.pressure[i]) < 60e3);
   }
 }
 

@@ -53,6 +53,34 @@ TEST_CASE("What is published of a limit comes from the right rows") {
   CHECK(published({{"material", "aa5083_h116"}, {"nose", "conical"}, {"thickness_mm", "15"}}).test_limit_mps == 216.8);
 }
 
+TEST_CASE("A search begins beside the limit that twice the particle distance has") {
+  const Series series = series_with({});
+  const auto coarse = coarser(series);
+  REQUIRE(coarse);
+  CHECK(coarse->options.spacing_mm == 1.2);
+  CHECK(coarse->key != series.key);
+  CHECK_FALSE(coarser(series_with({{"spacing_mm", "1.5"}})).has_value()); // four distances through the plate
+  CHECK_FALSE(coarser(series_with({{"layers_mm", "2,10"}})).has_value()); // through each plate
+  CHECK_FALSE(coarser(series_with({{"diameter_mm", "6"}, {"sph_radius_mm", "12"}})).has_value()); // eight across
+
+  const std::vector<Row> none, rows{row_at(*coarse, 170, 172.2), row_at(*coarse, 175, 172.2)};
+  CHECK_FALSE(guided_by(series, *coarse, none, width_mps).expected_mps.has_value());
+  const Series guided = guided_by(series, *coarse, rows, width_mps);
+  CHECK(guided.expected_mps == 172.5);
+  const auto pair = first_pair(guided, rows, width_mps);
+  REQUIRE(pair.size() == 2);
+  CHECK(pair[0].options.velocity_mps == 170);
+  CHECK(pair[1].options.velocity_mps == 175);
+  CHECK(pair[0].options.spacing_mm == 0.6);
+  // Rightly expected, the pair is all; else the search continues.
+  for (const double limit : {172.2, 165.0}) {
+    std::vector<Row> all = rows;
+    for (const Case &shot : pair) all.push_back(row_at(series, shot.options.velocity_mps, limit));
+    CHECK(first_pair(guided, all, width_mps).empty());
+    CHECK(next_velocity(guided, all, width_mps).has_value() == (limit == 165.0));
+  }
+}
+
 TEST_CASE("Nothing is published of plates and projectiles that were not tested") {
   for (const Pairs &other : std::vector<Pairs>{{{"nose", "conical"}, {"thickness_mm", "15"}},
                                                {{"thickness_mm", "13"}},

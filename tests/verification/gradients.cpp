@@ -68,7 +68,7 @@ GradientError error_of(const ParticleLayout<double> &layout, const Field &field)
     const V &x = nodes.position[i];
     const double e = (body.points.velocity_gradient[i] - field.gradient(x)).norm();
     error.anywhere = std::max(error.anywhere, e);
-    if (e > 1e-9 * field.gradient(x).norm()) error.inexact += 1.0 / nodes.size();
+    if (e > round_off_of_pairs * field.gradient(x).norm()) error.inexact += 1.0 / nodes.size();
     if (std::min(x.minCoeff(), edge - x.maxCoeff()) > support) error.inside = std::max(error.inside, e);
   }
   return error;
@@ -124,17 +124,18 @@ Rung gradients() {
   rung.name = "gradients";
   const double scale = sph_test::some_gradient().norm();
   vanishes(rung, "linear field, particles at random, by 0.05 distances, surfaces included",
-           error_of(sph_test::block(10, 10, 10, 0.05, edge / 10), linear()).anywhere / scale, 1e-12);
+           error_of(sph_test::block(10, 10, 10, 0.05, edge / 10), linear()).anywhere / scale, round_off_of_pairs);
   const auto wild = error_of(sph_test::block(10, 10, 10, 0.15, edge / 10), linear());
-  vanishes(rung, "the same by 0.15 distances, inside", wild.inside / scale, 1e-12);
+  vanishes(rung, "the same by 0.15 distances, inside", wild.inside / scale, round_off_of_pairs);
   vanishes(rung, "the same by 0.15 distances: share of particles without full correction", wild.inexact, 0.01);
   auto disc = ring_disc(DiscShape<double>{edge / 2, edge / 2, edge / 12}, Extent::full);
-  vanishes(rung, "linear field, ring disc, surfaces included", error_of(disc, linear()).anywhere / scale, 1e-12);
+  vanishes(rung, "linear field, ring disc, surfaces included", error_of(disc, linear()).anywhere / scale,
+           round_off_of_pairs);
   vanishes(rung, "linear field, distorted hexes, one point", hex_error<OnePoint>(6, 0.2, linear()) / scale, 1e-12);
   vanishes(rung, "linear field, distorted hexes, 2×2×2 points", hex_error<SelectiveReduced>(6, 0.2, linear()) / scale,
            1e-12);
   const auto lattice = refined(0, quadratic()), random = refined(0.1, quadratic()), smooth = refined(0, waves_field());
-  vanishes(rung, "quadratic field, cubic lattice, inside", lattice.front().inside, 1e-12);
+  vanishes(rung, "quadratic field, cubic lattice, inside", lattice.front().inside, round_off_of_pairs);
   converges(rung, "quadratic field, cubic lattice, order at surfaces", 1, anywhere(lattice), 0.9);
   converges(rung, "quadratic field, particles at random, order inside", 1, inside(random), 0.8);
   converges(rung, "quadratic field, particles at random, order at surfaces", 1, anywhere(random), 0.8);

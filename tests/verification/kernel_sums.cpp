@@ -136,7 +136,7 @@ Rung kernel_sums() {
     const std::string where = sites[site];
     compare(rung, "Σ V W " + where, exact.value, found.value, site == 0 ? 0.005 : 0.15);
     if (site == 0)
-      vanishes(rung, "h \\|Σ V ∇W\\| " + where, found.gradient.norm(), 1e-12);
+      vanishes(rung, "h \\|Σ V ∇W\\| " + where, found.gradient.norm(), round_off_of_pairs);
     else
       compare(rung, "h \\|Σ V ∇W\\| " + where, exact.gradient.norm(), found.gradient.norm(), 0.15);
     compare(rung, "least eigenvalue of M " + where, smallest_eigenvalue(exact.moment),

@@ -9,6 +9,11 @@
 
 namespace verification {
 
+/// Round-off of gradients and forces of particles, relative: sums of single precision.
+inline constexpr double round_off_of_pairs = 1e-5;
+/// What is left of it in the momentum, relative to that: errors of many pairs, at random.
+inline constexpr double round_off_of_momentum = 1e-7;
+
 /// One line of a table and whether it is within its tolerance.
 struct Line {
   std::vector<std::string> cells;

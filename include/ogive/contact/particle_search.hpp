@@ -4,7 +4,8 @@
 #include "ogive/contact/particle_contact.hpp"
 #include "ogive/core/parallel.hpp"
 #include "ogive/search/box.hpp"
-#include "ogive/search/neighbours.hpp"
+#include "ogive/search/cell_grid.hpp"
+#include "ogive/search/mirror_image.hpp"
 #include "ogive/sph/kernel.hpp"
 
 #include <cmath>
@@ -67,17 +68,15 @@ template <class T> void search(ParticleContact<T> &contact, std::span<const Vec3
   contact.row_begin.assign(count + 1, 0);
   parallel_for_chunks(count, loop_chunk, [&](Index begin, Index end) {
     auto &found = rows[begin / loop_chunk];
-    Candidates<T> candidates;
     for (Index i = begin; i < end; ++i) {
-      if (is_near[i]) gather_candidates(grid, positions[i], positions[i], reach, candidates);
-      for (std::size_t k = 0; is_near[i] && k < candidates.place.size(); ++k) {
-        const Index j = candidates.place[k];
-        if (j < 0 || bit[j] == bit[i] || !((at[j] - positions[i]).squaredNorm() < reach * reach)) continue;
+      const auto take = [&](Index j) {
+        if (bit[j] == bit[i] || !((at[j] - positions[i]).squaredNorm() < reach * reach)) return;
         if (j < count)
           found.push_back({j, {}});
         else
           found.push_back({images[j - count].parent, images[j - count].reflection});
-      }
+      };
+      if (is_near[i]) for_each_candidate(grid, positions[i], reach, take);
       contact.row_begin[i + 1] = static_cast<Index>(found.size());
     }
   });

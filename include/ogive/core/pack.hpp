@@ -87,6 +87,8 @@ template <class R> R register_rsqrt(R a) {
   return a;
 }
 template <class R> R register_reciprocal(R a) { return 1 / a; }
+template <class R> R register_rough_rsqrt(R a) { return register_rsqrt(a); }
+template <class R> R register_rough_reciprocal(R a) { return register_reciprocal(a); }
 #if defined(__AVX512F__)
 // One of Newton's steps from an estimate of 14 bits.
 inline __m512d register_rsqrt(__m512d a) {
@@ -105,6 +107,8 @@ inline __m512 register_reciprocal(__m512 a) {
   const __m512 y = _mm512_rcp14_ps(a);
   return y + y * (1 - a * y);
 }
+inline __m512 register_rough_rsqrt(__m512 a) { return _mm512_rsqrt14_ps(a); }
+inline __m512 register_rough_reciprocal(__m512 a) { return _mm512_rcp14_ps(a); }
 template <class R> bool register_any(R bits) { return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) != 0; }
 inline __m512d register_max(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
 inline __m512 register_max(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
@@ -174,6 +178,15 @@ template <std::floating_point T> T inverse_sqrt(T a) { return T(1) / std::sqrt(a
 
 /// 1/a to 27 bits or better, in a fraction of the time of a division. `a` must not vanish.
 template <class T> Pack<T> reciprocal(Pack<T> a) { return a.v = detail::register_reciprocal(a.v), a; }
+
+/// 1/sqrt(a) in single precision to 14 bits or better, from the machine's estimate. `a` must be positive.
+template <class Width = SimdWidth> Pack<float> rough_inverse_sqrt(Pack<float> a) {
+  return a.v = detail::register_rough_rsqrt(a.v), a;
+}
+/// 1/a in single precision to 14 bits or better, from the machine's estimate. `a` must not vanish.
+template <class Width = SimdWidth> Pack<float> rough_reciprocal(Pack<float> a) {
+  return a.v = detail::register_rough_reciprocal(a.v), a;
+}
 
 /// Absolute value, lane by lane.
 template <class T> Pack<T> abs(Pack<T> a) { return max(a, -a); }

@@ -89,6 +89,14 @@ template <class T> Mat3<T> inverse(const Mat3<T> &a) {
   return r * (T(1) / det);
 }
 
+/// Product of two 3x3 matrices, in one piece for packs too: Eigen's is a loop with calls there.
+template <class T> [[gnu::always_inline]] inline Mat3<T> product(const Mat3<T> &a, const Mat3<T> &b) {
+  Mat3<T> ab;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) ab(i, j) = a(i, 0) * b(0, j) + a(i, 1) * b(1, j) + a(i, 2) * b(2, j);
+  return ab;
+}
+
 /// Cross product (Eigen's lives in a heavier header).
 template <class T> Vec3<T> cross(const Vec3<T> &a, const Vec3<T> &b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

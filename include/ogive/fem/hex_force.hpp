@@ -51,9 +51,11 @@ void for_each_hex_of(const HexBody<T, Law, Rule> &body, Index pack, F &&f) {
 
 /// Calls `f(pack)` for each pack of hexes, in parallel. `f` must write only what belongs to the pack's hexes.
 template <class T, class Law, class Rule, class F> void for_each_pack(const HexBody<T, Law, Rule> &body, F &&f) {
-  parallel_for_chunks(packs(body), 16, [&](Index begin, Index end) {
-    for (Index pack = begin; pack < end; ++pack) f(pack);
-  });
+  // All in one piece: a pack that is handed to a function goes through memory.
+  parallel_for_chunks(
+      packs(body), 16, [&](Index begin, Index end) __attribute__((flatten)) {
+        for (Index pack = begin; pack < end; ++pack) f(pack);
+      });
 }
 
 /// Velocity gradient at every material point with respect to the latest positions. Reads positions and velocities of

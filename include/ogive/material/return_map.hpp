@@ -39,7 +39,7 @@ PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> 
   N low = T(0), high = q_trial * (T(1) / three_g);
   N increment = min(point.plastic_strain_rate * dt, high);
   increment = select(increment > N(0), increment, (q_trial - still.value) * (T(0.5) / three_g));
-  const N tolerance = (T(1e-9) + T(4) * std::numeric_limits<T>::epsilon()) * q_trial;
+  const N tolerance = (T(1e-8) + T(4) * std::numeric_limits<T>::epsilon()) * q_trial;
   FlowStress<N> sigma = still;
   auto open = yields;
   for (int iteration = 0; iteration < 60; ++iteration) {

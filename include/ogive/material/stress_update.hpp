@@ -16,7 +16,7 @@ namespace ogive {
 template <class T> Mat3<T> midstep_gradient(const Mat3<T> &L, T dt) {
   Mat3<T> shift = L * (T(-0.5) * dt);
   for (int k = 0; k < 3; ++k) shift(k, k) += T(1);
-  return L * inverse(shift);
+  return product(L, inverse(shift));
 }
 
 /// Rotation of a step from the spin W = (L - L^T)/2 (Hughes & Winget 1980): the Jaumann rate, objective for finite
@@ -24,15 +24,23 @@ template <class T> Mat3<T> midstep_gradient(const Mat3<T> &L, T dt) {
 template <class T> Mat3<T> spin_rotation(const Mat3<T> &L, T dt) {
   const T f = T(0.25) * dt;
   const Vec3<T> a(f * (L(2, 1) - L(1, 2)), f * (L(0, 2) - L(2, 0)), f * (L(1, 0) - L(0, 1)));
-  Mat3<T> A;
-  A << T(0), -a[2], a[1], a[2], T(0), -a[0], -a[1], a[0], T(0);
-  return Mat3<T>::Identity() + T(2) / (T(1) + a.dot(a)) * (A + A * A);
+  // I + f (A + A A) with A the matrix of the cross product with a.
+  const T squared = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], rotation = T(2) / (T(1) + squared);
+  Mat3<T> Q;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    Q(i, i) = T(1) + rotation * (a[i] * a[i] - squared);
+    Q(j, k) = rotation * (a[j] * a[k] - a[i]);
+    Q(k, j) = rotation * (a[j] * a[k] + a[i]);
+  }
+  return Q;
 }
 
 /// Q s Q^T.
 template <class T> Sym3<T> rotated(const Sym3<T> &s, const Mat3<T> &Q) {
-  const Mat3<T> r = Q * full(s) * Q.transpose();
-  return {r(0, 0), r(1, 1), r(2, 2), r(0, 1), r(1, 2), r(2, 0)};
+  const Mat3<T> r = product(Q, full(s));
+  const auto at = [&](int i, int j) { return T(r(i, 0) * Q(j, 0) + r(i, 1) * Q(j, 1) + r(i, 2) * Q(j, 2)); };
+  return {at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(1, 2), at(2, 0)};
 }
 
 /// A point after a step without plastic flow.
@@ -165,15 +173,16 @@ template <class T> void keep_yield(MaterialPoints<T> &p, Index i, T yield) {
   p.quasi_static_yield[i] = yield, p.yield_strain[i] = p.plastic_strain[i], p.yield_temperature[i] = p.temperature[i];
 }
 
-/// Moves those of the points [begin, end) that stay elastic through a step, several at once, and calls `others(i)` for
-/// the rest. Elastic are points that have not failed and whose trial stress lies below their known flow stress.
+/// Moves those of the points `index` that stay elastic through a step, several at once, and calls `others(i)` for the
+/// rest. Elastic are points that have not failed and whose trial stress lies below their known flow stress.
 template <class Body, class T, class F>
-void update_elastic_points(Body &body, Index begin, Index end, T dt, F &&others) {
+[[gnu::flatten]] void update_elastic_points(Body &body, std::span<const Index> index, T dt, F &&others) {
   auto &p = body.points;
   const auto &metal = body.metal;
   constexpr T infinity = std::numeric_limits<T>::infinity();
-  for (Index first = begin; first < end; first += lanes<T>) {
-    const auto index_of = [&](Index lane) { return std::min(first + lane, end - 1); };
+  const Index n = static_cast<Index>(index.size());
+  for (Index first = 0; first < n; first += lanes<T>) {
+    const auto index_of = [&](Index lane) { return index[std::min(first + lane, n - 1)]; };
     const auto of = [&](const std::vector<T> &field) {
       return pack_of<T>([&](Index lane) { return field[index_of(lane)]; });
     };
@@ -185,16 +194,16 @@ void update_elastic_points(Body &body, Index begin, Index end, T dt, F &&others)
                    (old.plastic_strain >= of(p.yield_strain)) & (old.temperature <= of(p.yield_temperature)) &
                    (old.temperature >= of(p.yield_temperature));
     if (metal.damage.effect != FailureEffect::none) elastic = elastic & (old.damage < Pack<T>(T(1)));
-    for (Index lane = 0; lane < std::min(lanes<T>, end - first); ++lane)
+    for (Index lane = 0; lane < std::min(lanes<T>, n - first); ++lane)
       if (elastic[lane])
-        store(p, first + lane, lane_of(trial.point, lane));
+        store(p, index_of(lane), lane_of(trial.point, lane));
       else
-        others(first + lane);
+        others(index_of(lane));
   }
 }
 
 /// advanced() for several points at once that have not failed; not for damage by Cockcroft and Latham.
-template <class Body, class T> void update_points(Body &body, std::span<const Index> points, T dt) {
+template <class Body, class T> [[gnu::flatten]] void update_points(Body &body, std::span<const Index> points, T dt) {
   auto &p = body.points;
   const auto &metal = body.metal;
   const Index n = static_cast<Index>(points.size());
@@ -223,9 +232,9 @@ template <class Body, class T> void update_stress(Body &body, T dt) {
   const bool packed =
       PackedFlowLaw<decltype(body.metal.flow), T> && body.metal.damage.law != DamageLaw::cockcroft_latham;
   parallel_for_chunks(body.points.size(), chunk, [&](Index begin, Index end) {
-    std::array<Index, chunk> several;
-    std::size_t count = 0;
-    update_elastic_points(body, begin, end, dt, [&](Index i) {
+    std::array<Index, chunk> at_rest, several;
+    std::size_t resting = 0, count = 0;
+    const auto flow = [&](Index i) {
       if (packed && !is_failed(body.metal.damage, body.points.damage[i])) {
         several[count++] = i;
         return;
@@ -235,7 +244,14 @@ template <class Body, class T> void update_stress(Body &body, T dt) {
                                   mean.empty() ? std::nullopt : std::optional<T>(mean[i]));
       store(body.points, i, after.point);
       keep_yield(body.points, i, after.yield);
-    });
+    };
+    // The flow stress of a point that flowed in the last step is not known.
+    for (Index i = begin; i < end; ++i)
+      if (body.points.plastic_strain_rate[i] > T(0))
+        flow(i);
+      else
+        at_rest[resting++] = i;
+    update_elastic_points(body, std::span<const Index>(at_rest.data(), resting), dt, flow);
     if constexpr (PackedFlowLaw<decltype(body.metal.flow), T>)
       update_points(body, std::span<const Index>(several.data(), count), dt);
   });

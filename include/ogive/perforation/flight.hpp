@@ -86,17 +86,29 @@ template <class T> T steady_interval(T velocity, T diameter) {
   return std::clamp(T(0.05) * diameter / std::max(velocity, T(1e-3)), T(0.5e-3) * diameter, T(3e-3) * diameter);
 }
 
-/// True if the velocity changed by less than `tolerance` (m/s) over the interval that ends now, with three samples in
-/// it.
-template <class T> bool is_steady(const Flight<T> &flight, T tolerance) {
+/// True if the velocity changed by less than `tolerance` (m/s) over the `interval` (s) that ends now, with three
+/// samples in it.
+template <class T> bool is_steady_for(const Flight<T> &flight, T interval, T tolerance) {
   const auto &samples = flight.samples;
   const FlightSample<T> &now = samples.back();
-  const T since = now.time - steady_interval(now.velocity, flight.diameter);
+  const T since = now.time - interval;
   if (samples.front().time > since) return false;
   int count = 0;
   for (auto s = samples.rbegin(); s != samples.rend() && s->time >= since; ++s, ++count)
     if (std::abs(s->velocity - now.velocity) > tolerance) return false;
   return count > 2;
+}
+
+/// True if the velocity changed by less than `tolerance` (m/s) over steady_interval().
+template <class T> bool is_steady(const Flight<T> &flight, T tolerance) {
+  return is_steady_for(flight, steady_interval(flight.samples.back().velocity, flight.diameter), tolerance);
+}
+
+/// True if the velocity changed by less than a thousandth of `tolerance` (m/s) over a fifth of steady_interval():
+/// nothing touches the projectile.
+template <class T> bool is_untouched(const Flight<T> &flight, T tolerance) {
+  const T interval = steady_interval(flight.samples.back().velocity, flight.diameter);
+  return is_steady_for(flight, interval / T(5), tolerance / T(1000));
 }
 
 /// Share of the initial velocity below which a projectile counts as at rest.
@@ -113,7 +125,8 @@ template <class M, class T> Way<T> find_way(const M &model, const Flight<T> &fli
 ///
 /// Stopped: the projectile moves away from the plate by more than 0.2 % of the initial velocity; or its velocity is
 /// steady below 0.5 % of that while a plate is in its way or around it. A velocity is steady if it changes by less than
-/// 0.1 % of the initial one over steady_interval().
+/// 0.1 % of the initial one over steady_interval(). A projectile that moves on is steady too if it is untouched, see
+/// is_untouched().
 ///
 /// Perforated, sharp: the tail has left the last plate, and nothing is in the way or the velocity is steady and above
 /// that of the plate. Perforated, blunt: the nose is behind the last plate and the velocity steady, by more than 0.5 %
@@ -125,8 +138,8 @@ template <class T, class FindWay> FlightState state_of(const Flight<T> &flight, 
   const FlightSample<T> &now = flight.samples.back();
   const T tolerance = T(steady_share) * flight.initial_velocity, rest = T(rest_share) * flight.initial_velocity;
   if (now.advance < T(-2) * tolerance) return stopped;
-  const bool has_left = now.tail >= flight.plate_thickness, steady = is_steady(flight, tolerance);
-  const bool moves = now.velocity > rest;
+  const bool has_left = now.tail >= flight.plate_thickness, moves = now.velocity > rest;
+  const bool steady = is_steady(flight, tolerance) || (moves && is_untouched(flight, tolerance));
   if (!steady && !(flight.sharp && has_left)) return in_progress;
   if (flight.sharp && moves && !has_left) return in_progress;
   const Way<T> way = find_way();

@@ -95,8 +95,9 @@ template <class T> LimitBracket<T> bracket(const std::vector<TriedShot<T>> &trie
 /// Nothing, too, if even 1 m/s perforates or if no number lies between the bracket's ends. Where shots contradict each
 /// other the search continues below the lowest that perforated; see `bracket`.
 ///
-/// `expected`, m/s, is where a curve through the residual velocities of the shots that perforated ends. While no shot
-/// contradicts it, and until two widths are left, the search tries both sides of it instead of steps and middles.
+/// `expected`, m/s, is the limit that something else promises: a curve through the residual velocities of the shots
+/// that perforated, or a search with coarser particles. While no shot contradicts it, and until two widths are left,
+/// the search tries both sides of it instead of steps and middles.
 ///
 /// Throws SetupError for a velocity, guess, width or round_to that is not positive and finite.
 template <class T>
@@ -110,8 +111,10 @@ std::optional<T> next_velocity(const std::vector<TriedShot<T>> &tried, std::type
   const LimitBracket<T> b = bracket(tried);
   if (tried.empty()) return guess;
   const auto perforated = std::count_if(tried.begin(), tried.end(), [](const auto &shot) { return shot.perforated; });
-  if (!b.lowest_perforated)
+  if (!b.lowest_perforated) {
+    if (expected && *b.highest_stopped < *expected) return rounded(*expected + width / 2, width, round_to);
     return outward(*b.highest_stopped, true, static_cast<std::ptrdiff_t>(tried.size()), round_to);
+  }
   if (!b.highest_stopped) {
     if (*b.lowest_perforated <= least_velocity<T>) return std::nullopt;
     const T below = expected.value_or(*b.lowest_perforated) - width / 2;

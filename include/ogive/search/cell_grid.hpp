@@ -3,6 +3,7 @@
 
 #include "ogive/core/types.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -53,6 +54,30 @@ template <class T> CellGrid<T> sort_into_cells(const std::vector<Vec3<T>> &posit
     grid.x[k] = positions[i][0], grid.y[k] = positions[i][1], grid.z[k] = positions[i][2];
   }
   return grid;
+}
+
+/// Calls `f(k)` for each point k of the grid whose cell lies within `reach` (m) of the position `p` (m) in y and z, and
+/// in x overlaps that range.
+template <class T, class F> void for_each_candidate(const CellGrid<T> &grid, const Vec3<T> &p, T reach, F &&f) {
+  std::array<Index, 3> first, last;
+  for (int d = 0; d < 3; ++d) {
+    const auto cell = [&](T x) {
+      return static_cast<Index>(std::clamp((x - grid.origin[d]) * grid.inverse_size, T(0), T(grid.cells[d] - 1)));
+    };
+    first[d] = cell(p[d] - reach), last[d] = cell(p[d] + reach);
+  }
+  const T size = T(1) / grid.inverse_size;
+  const auto gap = [&](int d, Index c) {
+    const T from = grid.origin[d] + T(c) * size;
+    return std::max({p[d] - (from + size), from - p[d], T(0)});
+  };
+  for (Index cz = first[2]; cz <= last[2]; ++cz)
+    for (Index cy = first[1]; cy <= last[1]; ++cy) {
+      // The last cell of a row may hold points beyond its own size only through round-off: a thousandth is room enough.
+      if (gap(1, cy) * gap(1, cy) + gap(2, cz) * gap(2, cz) > T(1.002) * reach * reach) continue;
+      const Index line = grid.cells[0] * (cy + grid.cells[1] * cz);
+      for (Index k = grid.cell_begin[line + first[0]]; k < grid.cell_begin[line + last[0] + 1]; ++k) f(grid.order[k]);
+    }
 }
 
 } // namespace ogive

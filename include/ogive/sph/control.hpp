@@ -4,8 +4,6 @@
 #include "ogive/material/stress_update.hpp"
 #include "ogive/sph/gradient.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <limits>
 
@@ -22,100 +20,132 @@
 
 namespace ogive {
 
-/// What the bonds of this step are made of: volumes, moduli and strengths of the particles.
-template <class T, class Law, class K, class F> void prepare_bonds(SphBody<T, Law, K, F> &body, T dt) {
+/// Brings what bonds see of the particles up to date, for a step of `dt` (s).
+template <class T, class Law, class K, class F>
+void prepare_bonds(SphBody<T, Law, K, F> &body, const Nodes<T> &nodes, T dt) {
   const ZeroEnergyControl<T> &control = body.options.control;
   const T growth = control.stiffness * shear_modulus(body.metal.elasticity) * dt;
   const MaterialPoints<T> &p = body.points;
   Bonds<T> &bonds = body.bonds;
   parallel_for(p.size(), [&](Index i) {
-    bonds.volume[i] = kernel_volume(body, i);
-    bonds.growth[i] = p.plastic_strain_rate[i] > T(0) ? control.while_flowing * growth : growth;
-    bonds.strength[i] = is_failed(body.metal.damage, p.damage[i]) ? T(0) : control.strength * p.quasi_static_yield[i];
+    BondEnd &end = bonds.ends[i];
+    for (int r = 0; r < 3; ++r) {
+      end.x[r] = static_cast<float>(nodes.position[body.nodes.begin + i][r]);
+      end.v[r] = static_cast<float>(nodes.velocity[body.nodes.begin + i][r]);
+      for (int c = 0; c < 3; ++c) end.L[3 * r + c] = static_cast<float>(p.velocity_gradient[i](r, c));
+    }
+    end.volume = static_cast<float>(kernel_volume(body, i));
+    end.growth = static_cast<float>(p.plastic_strain_rate[i] > T(0) ? control.while_flowing * growth : growth);
+    const bool failed = is_failed(body.metal.damage, p.damage[i]);
+    end.strength = failed ? 0.0F : static_cast<float>(control.strength * p.quasi_static_yield[i]);
+  });
+  parallel_for(static_cast<Index>(bonds.images.size()), [&](Index k) {
+    const BondedTo &image = bonds.images[k];
+    BondEnd end = bonds.ends[image.particle];
+    const std::array<float, 3> sign{image.reflection.x ? -1.0F : 1.0F, image.reflection.y ? -1.0F : 1.0F, 1.0F};
+    for (int r = 0; r < 3; ++r) {
+      end.x[r] *= sign[r], end.v[r] *= sign[r];
+      for (int c = 0; c < 3; ++c) end.L[3 * r + c] *= sign[r] * sign[c];
+    }
+    bonds.ends[p.size() + k] = end;
   });
 }
 
+/// The ends of a row of bonds on one side.
+template <class Width = SimdWidth> struct RowOfEnds {
+  Vec3<Pack<float>> x;                        ///< m
+  Vec3<Pack<float>> v;                        ///< m/s
+  Mat3<Pack<float>> L;                        ///< velocity gradient, 1/s
+  Pack<float> volume{}, growth{}, strength{}; ///< m3, Pa, Pa
+};
+
+/// The ends `end(lane)`.
+template <class F> RowOfEnds<> load_ends(F &&end) {
+  const auto of = [&](auto &&value) { return pack_of<float>([&](Index lane) { return value(end(lane)); }); };
+  RowOfEnds<> row;
+  for (int d = 0; d < 3; ++d) {
+    row.x[d] = of([&](const BondEnd &e) { return e.x[d]; });
+    row.v[d] = of([&](const BondEnd &e) { return e.v[d]; });
+  }
+  for (int k = 0; k < 9; ++k) row.L(k / 3, k % 3) = of([&](const BondEnd &e) { return e.L[k]; });
+  row.volume = of([](const BondEnd &e) { return e.volume; });
+  row.growth = of([](const BondEnd &e) { return e.growth; });
+  row.strength = of([](const BondEnd &e) { return e.strength; });
+  return row;
+}
+
 /// A row of bonds seen from the particles at this end.
-template <class T> struct RowOfBonds {
-  Vec3<Pack<T>> x; ///< from here to the other end, m
-  Vec3<Pack<T>> v; ///< of the other end against this one, m/s
-  Mat3<Pack<T>> L; ///< mean velocity gradient of both ends, 1/s
+template <class Width = SimdWidth> struct RowOfBonds {
+  Vec3<Pack<float>> x; ///< from here to the other end, m
+  Vec3<Pack<float>> v; ///< of the other end against this one, m/s
+  Mat3<Pack<float>> L; ///< mean velocity gradient of both ends, 1/s
 };
 
 /// The moment of a bond after a step: q += k dt (v - L x), turned with the spin of the metal. `growth` is k dt, Pa.
-template <class T, class P> Vec3<P> grown_moment(const Vec3<P> &q, const RowOfBonds<T> &bond, P growth, T dt) {
+inline Vec3<Pack<float>> grown_moment(const Vec3<Pack<float>> &q, const RowOfBonds<> &bond, Pack<float> growth,
+                                      float dt) {
+  using P = Pack<float>;
   const Mat3<P> &L = bond.L;
-  const P half = T(0.5) * dt;
+  const P half = 0.5F * dt;
   const Vec3<P> spin(half * (L(2, 1) - L(1, 2)), half * (L(0, 2) - L(2, 0)), half * (L(1, 0) - L(0, 1)));
-  return q + growth * (bond.v - L * bond.x) + spin.cross(q);
+  Vec3<P> grown = q + cross(spin, q);
+  for (int r = 0; r < 3; ++r)
+    grown[r] += growth * (bond.v[r] - (L(r, 0) * bond.x[0] + L(r, 1) * bond.x[1] + L(r, 2) * bond.x[2]));
+  return grown;
 }
 
 /// add_control_force() with the kernel `Kernel`.
 template <class Kernel, class T, class Law, class K, class F>
 void add_control_force_with(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
-  using P = Pack<T>;
-  prepare_bonds(body, dt);
-  const P inverse_h = T(1) / reference_smoothing_length(body), norm = gradient_norm<Kernel>(inverse_h);
+  using P = Pack<float>;
+  prepare_bonds(body, nodes, dt);
+  const T h = reference_smoothing_length(body), norm = -gradient_norm<Kernel>(T(1) / h);
+  const float inverse_h = static_cast<float>(T(1) / h);
   Bonds<T> &bonds = body.bonds;
-  const Vec3<T> *position = &nodes.position[body.nodes.begin], *velocity = &nodes.velocity[body.nodes.begin];
   const Index count = body.points.size();
-  parallel_for_chunks(static_cast<Index>(bonds.begin.size()) - 1, 16, [&](Index first_group, Index last_group) {
-    for (Index g = first_group; g < last_group; ++g) {
-      const auto member = [&](Index lane) { return std::min(g * lanes<T> + lane, count - 1); };
-      const auto here = [&](auto &&value) { return pack_of<T>([&](Index lane) { return value(member(lane)); }); };
-      const auto vector_here = [&](const Vec3<T> *field) {
-        return Vec3<P>(here([&](Index i) { return field[i][0]; }), here([&](Index i) { return field[i][1]; }),
-                       here([&](Index i) { return field[i][2]; }));
-      };
-      const Vec3<P> xi = vector_here(position), vi = vector_here(velocity);
-      const Mat3<P> Li = load_gradients(body.points, member);
-      const P volume = here([&](Index i) { return bonds.volume[i]; }),
-              growth = here([&](Index i) { return bonds.growth[i]; }),
-              strength = here([&](Index i) { return bonds.strength[i]; });
-      Vec3<P> force = Vec3<P>::Zero();
-      P work{};
-      for (auto r = bonds.begin[g]; r < bonds.begin[g + 1]; ++r) {
-        const Bond *ends = &bonds.ends[r * lanes<T>];
-        const auto there = [&](auto &&value) {
-          return pack_of<T>([&](Index lane) { return value(ends[lane].other); });
-        };
-        const auto sign = [&](auto flip) {
-          return pack_of<T>([&](Index lane) { return ends[lane].reflection.*flip ? T(-1) : T(1); });
-        };
-        const Vec3<P> mirror(sign(&Reflection::x), sign(&Reflection::y), P(T(1)));
-        RowOfBonds<T> bond;
-        for (int d = 0; d < 3; ++d) {
-          bond.x[d] = mirror[d] * there([&](Index j) { return position[j][d]; }) - xi[d];
-          bond.v[d] = mirror[d] * there([&](Index j) { return velocity[j][d]; }) - vi[d];
-        }
-        const Mat3<P> Lj = load_gradients(body.points, [&](Index lane) { return ends[lane].other; });
-        for (int a = 0; a < 3; ++a)
-          for (int b = 0; b < 3; ++b) bond.L(a, b) = T(0.5) * (Li(a, b) + mirror[a] * mirror[b] * Lj(a, b));
+  const auto add_group = [&](Index g) {
+    const auto member = [&](Index lane) { return std::min(g * lanes<float> + lane, count - 1); };
+    const RowOfEnds<> here = load_ends([&](Index lane) -> const BondEnd & { return bonds.ends[member(lane)]; });
+    Vec3<P> force(P(0.0F), P(0.0F), P(0.0F));
+    P work{};
+    for (auto r = bonds.begin[g]; r < bonds.begin[g + 1]; ++r) {
+      const Index *other = &bonds.other[r * lanes<float>];
+      const RowOfEnds<> there = load_ends([&](Index lane) -> const BondEnd & { return bonds.ends[other[lane]]; });
+      RowOfBonds<> bond;
+      for (int d = 0; d < 3; ++d) bond.x[d] = there.x[d] - here.x[d], bond.v[d] = there.v[d] - here.v[d];
+      for (int k = 0; k < 9; ++k) bond.L(k / 3, k % 3) = 0.5F * (here.L(k / 3, k % 3) + there.L(k / 3, k % 3));
 
-        T *const moment = &bonds.moment[3 * r * lanes<T>];
-        const Vec3<P> before(load_pack(moment), load_pack(moment + lanes<T>), load_pack(moment + 2 * lanes<T>));
-        Vec3<P> q = grown_moment<T, P>(before, bond, min(growth, there([&](Index j) { return bonds.growth[j]; })), dt);
-        const P r2 = bond.x.dot(bond.x);
-        const P most = min(strength, there([&](Index j) { return bonds.strength[j]; }));
-        // Longest where the moment reaches the strength times the distance; none without strength or beyond the
-        // support.
-        const P excess = q.dot(q), bound = most * most * r2;
-        q *= select(excess > bound, sqrt(bound / max(excess, P(std::numeric_limits<T>::min()))), P(T(1)));
-        q *= select(is_within_support(r2, inverse_h), P(T(1)), P(T(0)));
-        for (int d = 0; d < 3; ++d) store_pack(moment + d * lanes<T>, q[d]);
-
-        const P weight =
-            volume * there([&](Index j) { return bonds.volume[j]; }) * -(norm * slope_over_u<Kernel>(r2, inverse_h));
-        force += weight * q;
-        work += T(0.25) * weight * (before + q).dot(bond.v);
+      float *const moment = &bonds.moment[3 * r * lanes<float>];
+      const Vec3<P> before(load_pack(moment), load_pack(moment + lanes<float>), load_pack(moment + 2 * lanes<float>));
+      Vec3<P> q = grown_moment(before, bond, min(here.growth, there.growth), static_cast<float>(dt));
+      const P r2 = bond.x[0] * bond.x[0] + bond.x[1] * bond.x[1] + bond.x[2] * bond.x[2];
+      const P u2 = r2 * (inverse_h * inverse_h);
+      // Longest where the moment reaches the strength times the distance; none without strength or beyond the support.
+      const P most = min(here.strength, there.strength), bound = most * most * r2;
+      const P excess = q[0] * q[0] + q[1] * q[1] + q[2] * q[2];
+      P scale = select(excess > bound, sqrt(bound / max(excess, P(std::numeric_limits<float>::min()))), P(1.0F));
+      scale = select(u2 < P(float(support_squared)), scale, P(0.0F));
+      const P weight = here.volume * there.volume * slope_over_u<Kernel>(u2);
+      P power{};
+      for (int d = 0; d < 3; ++d) {
+        q[d] *= scale;
+        store_pack(moment + d * lanes<float>, q[d]);
+        force[d] += weight * q[d];
+        power += (before[d] + q[d]) * bond.v[d];
       }
-      for (Index lane = 0; lane < std::min(lanes<T>, count - g * lanes<T>); ++lane) {
-        const Index i = g * lanes<T> + lane;
-        nodes.force[body.nodes.begin + i] += Vec3<T>(force[0][lane], force[1][lane], force[2][lane]);
-        bonds.energy[i] += dt * work[lane];
-      }
+      work += 0.25F * weight * power;
     }
-  });
+    for (Index lane = 0; lane < std::min(lanes<float>, count - g * lanes<float>); ++lane) {
+      const Index i = g * lanes<float> + lane;
+      for (int d = 0; d < 3; ++d) nodes.force[body.nodes.begin + i][d] += norm * T(force[d][lane]);
+      bonds.energy[i] += dt * norm * T(work[lane]);
+    }
+  };
+  // All in one piece: a pack that is handed to a function goes through memory.
+  parallel_for_chunks(
+      static_cast<Index>(bonds.begin.size()) - 1, 8, [&](Index first, Index last) __attribute__((flatten)) {
+        for (Index g = first; g < last; ++g) add_group(g);
+      });
 }
 
 /// Adds the forces of the bonds to the particles' nodes, and the work of the step before, `dt` (s), to their ledger.

@@ -6,83 +6,92 @@
 namespace ogive {
 
 /// Artificial viscosity of a body, with what does not depend on the pair.
-template <class T> struct ArtificialViscosity {
-  T linear{};      ///< Monaghan's alpha
-  T quadratic{};   ///< Monaghan's beta
-  T sound_speed{}; ///< longitudinal, m/s
+struct ArtificialViscosity {
+  float linear{};      ///< Monaghan's alpha
+  float quadratic{};   ///< Monaghan's beta
+  float sound_speed{}; ///< longitudinal, m/s
 };
 
-/// Forces on the particles of a cluster and the power that artificial viscosity takes from them.
-template <class T> struct PairForces {
-  Pack<T> x, y, z;       ///< N
-  Pack<T> viscous_power; ///< W, half of each pair's
+/// Forces on the particles of a cluster, with x_ij in quanta and W without its norm.
+struct PairForces {
+  std::array<std::array<float, cluster_size>, 3> force; ///< along x, y, z
+  std::array<float, cluster_size> viscous_power; ///< that artificial viscosity takes, of both particles of each pair
 };
 
-/// f_i = V_i sum_j V_j (G_i + G_j - rho_i rho_j Pi_ij I) grad W_ij, the transpose of the velocity gradient; G = sigma
-/// B. rho_i rho_j Pi_ij is that of Monaghan & Gingold 1983, Pa, positive for approaching pairs, else zero: rho mu (beta
-/// mu - alpha c) with rho the mean density and mu = h v_ij . x_ij / (r^2 + 0.01 h^2).
+/// f_i = V_i sum_j V_j (G_i + G_j - rho_i rho_j Pi_ij I) grad W_ij, the transpose of the velocity gradient, for the
+/// particles of cluster c; G = sigma B. `h` in quanta. rho_i rho_j Pi_ij is that of Monaghan & Gingold 1983, Pa,
+/// positive for approaching pairs, else zero: rho mu (beta mu - alpha c) with rho the mean density and mu = h v_ij .
+/// x_ij / (r^2 + 0.01 h^2).
 template <class Kernel, bool variable, class T>
-PairForces<T> pair_forces(const PairData<T> &d, const Neighbours<T> &neighbours, Index c, T h,
-                          const ArtificialViscosity<T> &viscosity) {
-  using P = Pack<T>;
-  const Index first = c * lanes<T>;
-  const P xi = load_pack(&d.x[first]), yi = load_pack(&d.y[first]), zi = load_pack(&d.z[first]);
-  const P vxi = load_pack(&d.vx[first]), vyi = load_pack(&d.vy[first]), vzi = load_pack(&d.vz[first]);
-  const P density_i = load_pack(&d.density[first]), hi = variable ? load_pack(&d.smoothing[first]) : P(h);
-  const P fixed_inverse = T(1) / hi, fixed_norm = gradient_norm<Kernel>(fixed_inverse);
-  const T half_beta = T(0.5) * viscosity.quadratic, half_alpha_c = T(0.5) * viscosity.linear * viscosity.sound_speed;
+PairForces pair_forces(const PairData &d, const Neighbours<T> &neighbours, Index c, float h,
+                       const ArtificialViscosity &viscosity) {
+  using P = Pack<float>;
+  const ClusterMotion &i = d.motion[c];
+  const auto xi = spread(&i.x[0][0]), yi = spread(&i.x[1][0]), zi = spread(&i.x[2][0]);
+  const P vxi = spread(&i.v[0][0]), vyi = spread(&i.v[1][0]), vzi = spread(&i.v[2][0]);
+  const P density_i = spread(&i.density[0]), hi = variable ? spread(&d.smoothing[c * cluster_size]) : P(h);
+  const P fixed_inverse = 1 / h;
+  const float half_beta = 0.5F * viscosity.quadratic, half_alpha_c = 0.5F * viscosity.linear * viscosity.sound_speed;
   P fx{}, fy{}, fz{}, sx{}, sy{}, sz{}, power{};
-  for (const Index j : row_within(neighbours, c)) {
-    const P dx = xi - d.x[j], dy = yi - d.y[j], dz = zi - d.z[j];
-    const P r2 = dx * dx + dy * dy + dz * dz;
-    const P pair_h = variable ? T(0.5) * (hi + d.smoothing[j]) : hi;
-    const P inverse_h = variable ? T(1) / pair_h : fixed_inverse;
-    const P norm = variable ? gradient_norm<Kernel>(inverse_h) : fixed_norm;
-    const P w = norm * slope_over_u<Kernel>(r2, inverse_h);
-    const P approach = (vxi - d.vx[j]) * dx + (vyi - d.vy[j]) * dy + (vzi - d.vz[j]) * dz;
-    const P mu = pair_h * min(approach, P(T(0))) * reciprocal(r2 + T(0.01) * (pair_h * pair_h));
-    const P q = (density_i + d.density[j]) * mu * (half_beta * mu - half_alpha_c);
-    const P vw = d.volume[j] * w, qvw = q * vw;
-    fx += w * (d.flux[0][j] * dx + d.flux[1][j] * dy + d.flux[2][j] * dz), fx -= qvw * dx;
-    fy += w * (d.flux[3][j] * dx + d.flux[4][j] * dy + d.flux[5][j] * dz), fy -= qvw * dy;
-    fz += w * (d.flux[6][j] * dx + d.flux[7][j] * dy + d.flux[8][j] * dz), fz -= qvw * dz;
+  for (const Index place : row_within(neighbours, c)) {
+    const ClusterMotion &j = d.motion[place / cluster_size];
+    const ClusterFlux &flux_j = d.flux[place / cluster_size];
+    const Index at_j = place % cluster_size;
+    const P dx = xi - repeat(&j.x[0][at_j]), dy = yi - repeat(&j.x[1][at_j]), dz = zi - repeat(&j.x[2][at_j]);
+    const P r2 = dx * dx + 1.0F + dy * dy + dz * dz; // as in the gradient
+    const P pair_h = variable ? 0.5F * (hi + repeat(&d.smoothing[place])) : hi;
+    const P inverse_h = variable ? 1.0F / pair_h : fixed_inverse;
+    P w = rough_slope_over_u<Kernel>(P(r2 * (inverse_h * inverse_h)));
+    if constexpr (variable) w *= relative_norm(inverse_h * h);
+    const P approach =
+        (vxi - repeat(&j.v[0][at_j])) * dx + (vyi - repeat(&j.v[1][at_j])) * dy + (vzi - repeat(&j.v[2][at_j])) * dz;
+    const P mu = min(approach, P(0.0F)) * (pair_h * rough_reciprocal(r2 + 0.01F * (pair_h * pair_h)));
+    const P volume = repeat(&j.volume[at_j]);
+    const P q = volume * (density_i + repeat(&j.density[at_j])) * (mu * (half_beta * mu - half_alpha_c));
+    const auto flux = [&](int k) { return repeat(&flux_j[k][at_j]); };
+    fx += w * ((flux(0) - q) * dx + flux(1) * dy + flux(2) * dz);
+    fy += w * (flux(3) * dx + (flux(4) - q) * dy + flux(5) * dz);
+    fz += w * (flux(6) * dx + flux(7) * dy + (flux(8) - q) * dz);
+    const P vw = volume * w;
     sx += vw * dx, sy += vw * dy, sz += vw * dz;
-    power += qvw * approach;
+    power += w * q * approach;
   }
-  const auto own = [&](int k) { return load_pack(&d.flux[k][first]); };
-  const P volume_i = load_pack(&d.volume[first]);
-  return {volume_i * fx + own(0) * sx + own(1) * sy + own(2) * sz,
-          volume_i * fy + own(3) * sx + own(4) * sy + own(5) * sz,
-          volume_i * fz + own(6) * sx + own(7) * sy + own(8) * sz, T(0.5) * volume_i * power};
+  const auto own = [&](int k) { return spread(&d.flux[c][k][0]); };
+  const P volume_i = spread(&i.volume[0]);
+  PairForces sums;
+  store_row_sums(&sums.force[0][0], volume_i * fx + own(0) * sx + own(1) * sy + own(2) * sz);
+  store_row_sums(&sums.force[1][0], volume_i * fy + own(3) * sx + own(4) * sy + own(5) * sz);
+  store_row_sums(&sums.force[2][0], volume_i * fz + own(6) * sx + own(7) * sy + own(8) * sz);
+  store_row_sums(&sums.viscous_power[0], volume_i * power);
+  return sums;
 }
 
 /// Brings what neighbours see of the stress up to date: G = sigma B times the volume, and the density.
 template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, Law, K, F> &body) {
-  PairData<T> &d = body.pair_data;
+  PairData &d = body.pair_data;
+  const Neighbours<T> &n = body.neighbours;
+  const MaterialPoints<T> &p = body.points;
   const bool corrected = is_corrected(body);
-  for_each_cluster(body.neighbours, [&](Index c) {
-    const Index first = c * lanes<T>, *const particle = &body.neighbours.order[first];
-    const MaterialPoints<T> &p = body.points;
-    const auto of_lanes = [&](auto &&value) { return pack_of<T>([&](Index lane) { return value(particle[lane]); }); };
-    const Pack<T> density = of_lanes([&](Index i) { return p.density[i]; });
-    const Pack<T> volume = of_lanes([&](Index i) { return body.point_mass[i]; }) / density;
-    const Pack<T> pressure = of_lanes([&](Index i) { return p.pressure[i]; });
-    const auto component = [&](T Sym3<T>::*m) { return of_lanes([&](Index i) { return p.deviator[i].*m; }); };
-    Mat3<Pack<T>> G = full(Sym3<Pack<T>>{component(&Sym3<T>::xx) - pressure, component(&Sym3<T>::yy) - pressure,
-                                         component(&Sym3<T>::zz) - pressure, component(&Sym3<T>::xy),
-                                         component(&Sym3<T>::yz), component(&Sym3<T>::zx)});
-    if (corrected) {
-      Mat3<Pack<T>> B;
-      for (int k = 0; k < 9; ++k) B(k / 3, k % 3) = load_pack(&d.correction[k][first]);
-      G = Mat3<Pack<T>>(G * B);
+  parallel_for(clusters(n), [&](Index c) {
+    for (Index l = 0; l < cluster_size; ++l) {
+      const Index k = c * cluster_size + l, i = n.order[k];
+      const Sym3<T> sigma = p.deviator[i] - spherical(p.pressure[i]);
+      Mat3<float> G = full(sigma).template cast<float>();
+      if (corrected) {
+        Mat3<float> B;
+        for (int m = 0; m < 9; ++m) B(m / 3, m % 3) = d.correction[m][k];
+        G = product(G, B);
+      }
+      const float volume = is_filler(n, k) ? 0.0F : static_cast<float>(body.point_mass[i] / p.density[i]);
+      for (int m = 0; m < 9; ++m) d.flux[c][m][l] = volume * G(m / 3, m % 3);
+      d.motion[c].density[l] = static_cast<float>(p.density[i]);
     }
-    for (int k = 0; k < 9; ++k) store_pack(&d.flux[k][first], volume * G(k / 3, k % 3));
-    store_pack(&d.density[first], density);
   });
-  for_each_image(body.neighbours, [&](Index k, const MirrorImage &image) {
-    const std::array<T, 3> sign{image.reflection.x ? T(-1) : T(1), image.reflection.y ? T(-1) : T(1), T(1)};
-    for (int r = 0; r < 9; ++r) d.flux[r][k] = sign[r / 3] * sign[r % 3] * d.flux[r][image.place];
-    d.density[k] = d.density[image.place];
+  for_each_image(n, [&](Index from, Index to, Reflection in) {
+    const std::array<float, 3> sign{in.x ? -1.0F : 1.0F, in.y ? -1.0F : 1.0F, 1.0F};
+    for (int m = 0; m < 9; ++m)
+      for (Index l = 0; l < cluster_size; ++l) d.flux[to][m][l] = sign[m / 3] * sign[m % 3] * d.flux[from][m][l];
+    d.motion[to].density = d.motion[from].density;
   });
 }
 
@@ -92,16 +101,22 @@ template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, La
 template <class T, class Law, class K, class F>
 void add_internal_force(SphBody<T, Law, K, F> &body, Nodes<T> &nodes, T dt) {
   gather_fluxes(body);
-  const T h = reference_smoothing_length(body);
-  const ArtificialViscosity<T> viscosity{body.options.linear_viscosity, body.options.quadratic_viscosity,
-                                         sound_speed(body.metal)};
+  const Neighbours<T> &neighbours = body.neighbours;
+  const PairData &d = body.pair_data;
+  const T h = reference_smoothing_length(body), quantum = neighbours.quantum;
+  const float h_in_quanta = static_cast<float>(h / quantum);
+  const ArtificialViscosity viscosity{float(body.options.linear_viscosity), float(body.options.quadratic_viscosity),
+                                      float(sound_speed(body.metal))};
   const auto drive = [&]<class Kernel>(Kernel, auto variable) {
-    for_each_cluster(body.neighbours, [&](Index c) {
-      const auto pairs = pair_forces<Kernel, variable.value>(body.pair_data, body.neighbours, c, h, viscosity);
-      for_each_lane(body, c, [&](Index i, Index lane) {
-        nodes.force[body.nodes.begin + i] += Vec3<T>(pairs.x[lane], pairs.y[lane], pairs.z[lane]);
-        body.viscous_energy[i] += dt * pairs.viscous_power[lane];
-      });
+    const T scale = gradient_norm<Kernel>(T(1) / h) * quantum;
+    for_each_cluster(neighbours, [&](Index c) {
+      const PairForces pairs = pair_forces<Kernel, variable.value>(d, neighbours, c, h_in_quanta, viscosity);
+      for (Index l = 0; l < cluster_size; ++l) {
+        if (is_filler(neighbours, c * cluster_size + l)) continue;
+        const Index i = neighbours.order[c * cluster_size + l];
+        for (int axis = 0; axis < 3; ++axis) nodes.force[body.nodes.begin + i][axis] += scale * T(pairs.force[axis][l]);
+        body.viscous_energy[i] += dt * T(0.5) * scale * T(pairs.viscous_power[l]);
+      }
     });
   };
   with_choice(body.kernel, [&](auto kernel) {

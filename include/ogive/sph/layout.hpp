@@ -3,11 +3,14 @@
 
 #include "ogive/core/error.hpp"
 #include "ogive/core/symmetry.hpp"
+#include "ogive/search/columns.hpp"
 #include "ogive/sph/body.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 
 namespace ogive {
 
@@ -32,13 +35,16 @@ template <class T> void check(const DiscShape<T> &disc) {
           "must be positive and at most half the thickness");
 }
 
-/// Sorts particles into the order of a fine grid of cells, so that neighbours lie near each other in memory.
-template <class T> void sort_by_cell(ParticleLayout<T> &layout) {
-  const CellGrid<T> grid = sort_into_cells(layout.positions, T(2.5) * layout.spacing);
+/// Sorts particles into columns, as neighbour lists do: particles that are near each other in memory and in lists.
+template <class T> void sort_by_columns(ParticleLayout<T> &layout) {
+  const std::span<const Vec3<T>> positions(layout.positions);
+  const Columns<T> columns = sort_into_columns(positions, column_width(layout.spacing));
   ParticleLayout<T> sorted{layout.spacing, {}, {}};
-  for (Index k : grid.order) {
-    sorted.positions.push_back(layout.positions[k]);
-    sorted.volumes.push_back(layout.volumes[k]);
+  for (std::size_t k = 0; k < columns.order.size(); ++k) {
+    const Index i = columns.order[k];
+    if (k > 0 && i == columns.order[k - 1]) continue; // fills a cluster
+    sorted.positions.push_back(layout.positions[i]);
+    sorted.volumes.push_back(layout.volumes[i]);
   }
   layout = std::move(sorted);
 }
@@ -60,7 +66,7 @@ template <class T> ParticleLayout<T> cubic_disc(const DiscShape<T> &disc, Extent
         layout.positions.push_back({x, y, -(T(k) + T(0.5)) * s});
         layout.volumes.push_back(s * s * s);
       }
-  sort_by_cell(layout);
+  sort_by_columns(layout);
   return layout;
 }
 
@@ -90,7 +96,7 @@ template <class T> ParticleLayout<T> ring_disc(const DiscShape<T> &disc, Extent 
       }
     }
   }
-  sort_by_cell(layout);
+  sort_by_columns(layout);
   return layout;
 }
 
