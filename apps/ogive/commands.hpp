@@ -33,6 +33,7 @@ int sweep(const options::Arguments &arguments);
 int mesh(const options::Arguments &arguments);
 int materials(const options::Arguments &arguments);
 int draw(const options::Arguments &arguments);
+int view(const options::Arguments &arguments);
 int calibrate(const options::Arguments &arguments);
 
 /// A table by its names alone: there are no values behind it.
@@ -47,6 +48,7 @@ options::Table sweep_table();
 options::Table mesh_table();
 options::Table materials_table();
 options::Table draw_table();
+options::Table view_table();
 options::Table calibrate_table();
 
 /// The options of `ogive shoot`; nothing if help or version were asked for and have been written to `text`. Throws

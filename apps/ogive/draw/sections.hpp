@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.hpp"
+
+namespace commands::drawing {
+
+/// Draws the sections of --series.
+void draw_sections(const Options &options);
+
+} // namespace commands::drawing
