@@ -36,9 +36,8 @@ Json append_positions(Words &words, const std::vector<ogive::Vec3<float>> &posit
 constexpr char velocity_name[] = "velocity_m_per_s";
 
 bool has_field(const std::vector<ogive::Field> &fields, std::string_view name, int components) {
-  return std::any_of(fields.begin(), fields.end(), [&](const ogive::Field &field) {
-    return field.name == name && field.components == components;
-  });
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const ogive::Field &field) { return field.name == name && field.components == components; });
 }
 
 /// The amount of the mean velocity of each group of points.
@@ -107,8 +106,7 @@ Steps steps_of(const std::vector<float> &values) {
 
 std::uint16_t step_of(double value, const Steps &steps) {
   if (!std::isfinite(value) || !(steps.size > 0)) return 0;
-  return static_cast<std::uint16_t>(
-      std::lround(last_step * std::clamp((value - steps.low) / steps.size, 0.0, 1.0)));
+  return static_cast<std::uint16_t>(std::lround(last_step * std::clamp((value - steps.low) / steps.size, 0.0, 1.0)));
 }
 
 std::string packed(const Words &words) {

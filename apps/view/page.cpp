@@ -98,9 +98,9 @@ std::vector<std::size_t> shown_frames(std::size_t frames, int most) {
   const auto count = std::min(frames, static_cast<std::size_t>(most));
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < count; ++k)
-    numbers.push_back(count == 1 ? frames - 1
-                                 : static_cast<std::size_t>(std::llround(double(k) * double(frames - 1) /
-                                                                         double(count - 1))));
+    numbers.push_back(count == 1
+                          ? frames - 1
+                          : static_cast<std::size_t>(std::llround(double(k) * double(frames - 1) / double(count - 1))));
   return numbers;
 }
 

@@ -14,4 +14,4 @@ ogive_page_text(css page.css)
 ogive_page_text(script colours.js data.js spheres.js hexes.js stage.js pick.js curve.js page.js)
 file(CONFIGURE OUTPUT view_assets.cpp CONTENT "${assets}\n} // namespace view::assets\n" @ONLY)
 ogive_app_library(ogive_view SOURCES view/*.cpp "${CMAKE_CURRENT_BINARY_DIR}/view_assets.cpp" LIBRARIES ogive_options ogive::vtk
-                  VTK::IOCore PRIVATE nlohmann_json::nlohmann_json)
+                  VTK::IOCore nlohmann_json::nlohmann_json)

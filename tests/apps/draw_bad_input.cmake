@@ -1,4 +1,4 @@
-# Runs ogive draw with bad input: each must end with status 2, one line on stderr, nothing on stdout, and no new file.
+# Runs ogive draw and ogive view with bad input: each must end with status 2, one line on stderr, nothing on stdout, and no new file.
 # Needs
 # -D OGIVE=<the program>.
 
@@ -44,6 +44,16 @@ refuses("${draw}" "--columns = 1.5: must be a whole number" --series listing.pvd
 refuses("${draw}" "--colour = heat: must be one of plastic_strain, temperature" --series listing.pvd --colour heat ${out})
 refuses("${draw}" "--range = 2,1: must be two numbers" --series listing.pvd --range 2,1 ${out})
 refuses("${draw}" "--view-mm = -40,22: must be three numbers" --series listing.pvd --view-mm -40,22 ${out})
+
+set(view "${OGIVE};view")
+refuses("${view}" "RESULT: one is required" --out a.html)
+refuses("${view}" "RESULT: one is required" two empty)
+refuses("${view}" "RESULT = empty: must be a folder with a .pvd file" empty)
+refuses("${view}" "RESULT = two: must be a folder with one .pvd file" two)
+refuses("${view}" "--out = a.png: must be the name of a .html file" listing.pvd ${out})
+refuses("${view}" "--frames = 0: must be a whole number between 1 and 1000" listing.pvd --frames 0)
+refuses("${view}" "none/three.min.js: must be a file that can be read, of three.js (Debian: libjs-three)" listing.pvd --three-js
+        none)
 
 refuses("${draw}" "--range = 1,two: must be two numbers" --series listing.pvd --range 1,two ${out})
 refuses("${draw}" "--view-mm = 22,-40,28: must be three numbers" --series listing.pvd --view-mm 22,-40,28 ${out})

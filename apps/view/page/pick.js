@@ -40,7 +40,7 @@ function pick(x, y) {
 
 // The lines of text on what was picked.
 function valuesText({part, index, kind, place}) {
-  const lines = [`${part.name}, ${kind} ${index}`, `x, y, z: ${place.map(v => v.toFixed(2)).join(', ')} mm`];
+  const lines = [`${part.name}, ${kind} ${index}`, `x, y, z: ${place.map(v => (Math.round(100 * v) / 100 + 0).toFixed(2)).join(', ')} mm`];
   model.fields.forEach((field, f) => {
     const {title, unit} = described(field);
     lines.push(`${title}: ${shortNumber(part.fields[f](index))} ${unit}`.trimEnd());
