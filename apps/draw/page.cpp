@@ -191,7 +191,7 @@ void add_colour_bar(Page &page, vtkColorTransferFunction *colours, int font_size
   page.ink->AddActor2D(bar);
 }
 
-void write_png(const Page &page, const std::filesystem::path &path, int levels) {
+void write_png(const Page &page, const std::filesystem::path &path, int levels, int compression) {
   const Context context;
   if (!context.current)
     throw ogive::write_error(path, "drawing needs EGL of Mesa 3D (Debian: libegl1 and libgl1-mesa-dri)");
@@ -209,7 +209,7 @@ void write_png(const Page &page, const std::filesystem::path &path, int levels) 
   if (image == nullptr) throw ogive::write_error(path, "VTK drew nothing");
   vtkNew<vtkPNGWriter> png;
   png->SetInputData(image);
-  png->SetCompressionLevel(9);
+  png->SetCompressionLevel(compression);
   png->WriteToMemoryOn();
   png->Write();
   vtkUnsignedCharArray *result = png->GetResult();

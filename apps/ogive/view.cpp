@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "options/exit_status.hpp"
+#include "options/text.hpp"
 #include "results.hpp"
 #include "view/page.hpp"
 
@@ -20,7 +21,7 @@ struct ViewOptions {
   std::vector<fs::path> result; ///< a folder with a .pvd file, or that file; exactly one
   fs::path out;
   std::string title;
-  std::vector<std::string> fields;
+  std::string fields; ///< names with commas between them; empty: the usual ones
   int frames = 20;
   std::optional<ogive::Extent> extent;
   fs::path three_js = "/usr/share/javascript/three";
@@ -39,7 +40,7 @@ options::Table table_of(ViewOptions &o) {
       .source = "ours", .brief = "times at most", .limits = {1, 1000}});
   add(t, o.fields, {.key = "fields", .meaning = "fields to choose from; speed_m_per_s is the amount of the velocity",
       .source = "plastic_strain, temperature_K, von_mises_MPa, pressure_MPa, damage, speed_m_per_s: ours",
-      .brief = "fields to choose from"});
+      .brief = "fields to choose from"}).placeholder = "NAME,NAME,...";
   add_extent(t, o.extent);
   add(t, o.three_js, {.key = "three_js",
       .meaning = "folder of three.js with three.min.js and examples/js/controls/OrbitControls.js",
@@ -74,7 +75,7 @@ int view(const options::Arguments &arguments) {
   ::view::Result result{.title = o.title.empty() ? case_title(folder) : o.title,
                         .series = ogive::read_series(pvd),
                         .symmetry = symmetry_of(o.extent),
-                        .fields = o.fields,
+                        .fields = o.fields.empty() ? std::vector<std::string>{} : options::split(o.fields, ','),
                         .most_frames = o.frames,
                         .velocity = {}};
   std::error_code ignored;

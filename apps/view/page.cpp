@@ -2,6 +2,7 @@
 #include "page.hpp"
 
 #include "assets.hpp"
+#include "draw/frame_facts.hpp"
 #include "options/given.hpp"
 #include "pack.hpp"
 
@@ -81,7 +82,7 @@ Velocity read_velocity(const fs::path &history) {
     all.time_us.push_back(number(time)), all.velocity_mps.push_back(number(velocity));
   });
   Velocity thinned;
-  for (const std::size_t k : shown_frames(all.time_us.size(), 400)) {
+  for (const std::size_t k : draw::shown_frames(all.time_us.size(), 400)) {
     thinned.time_us.push_back(all.time_us[k]);
     thinned.velocity_mps.push_back(all.velocity_mps[k]);
   }
@@ -94,16 +95,6 @@ const std::vector<std::string> &default_fields() {
   return names;
 }
 
-std::vector<std::size_t> shown_frames(std::size_t frames, int most) {
-  const auto count = std::min(frames, static_cast<std::size_t>(most));
-  std::vector<std::size_t> numbers;
-  for (std::size_t k = 0; k < count; ++k)
-    numbers.push_back(count == 1
-                          ? frames - 1
-                          : static_cast<std::size_t>(std::llround(double(k) * double(frames - 1) / double(count - 1))));
-  return numbers;
-}
-
 std::string page(const Result &result, const fs::path &three) {
   const std::string remedy = ", of three.js (Debian: libjs-three); another folder of it by --three-js";
   const std::string library = text_of(three / "three.min.js", remedy);
@@ -114,7 +105,7 @@ std::string page(const Result &result, const fs::path &three) {
   model["frames"] = nlohmann::ordered_json::array();
   std::string data;
   std::vector<std::string> fields;
-  for (const std::size_t k : shown_frames(result.series.frames.size(), result.most_frames)) {
+  for (const std::size_t k : draw::shown_frames(result.series.frames.size(), result.most_frames)) {
     const auto frame = ogive::read_frame(result.series, k, result.symmetry);
     if (model["frames"].empty()) fields = fields_of(result, frame);
     const PackedFrame one = pack(frame, fields);

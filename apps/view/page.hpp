@@ -35,9 +35,6 @@ struct Result {
 /// The fields of a page for which nobody chose others.
 const std::vector<std::string> &default_fields();
 
-/// Numbers of the frames that are shown: all of them, or `most` from the first to the last, at even distances.
-std::vector<std::size_t> shown_frames(std::size_t frames, int most);
-
 /// The HTML of a result. `three` is the folder of three.js, with three.min.js and
 /// examples/js/controls/OrbitControls.js. Throws SetupError if frames or three.js cannot be read.
 std::string page(const Result &result, const std::filesystem::path &three);

@@ -13,5 +13,5 @@ ogive_page_text(html page.html)
 ogive_page_text(css page.css)
 ogive_page_text(script colours.js data.js spheres.js hexes.js stage.js pick.js curve.js page.js)
 file(CONFIGURE OUTPUT view_assets.cpp CONTENT "${assets}\n} // namespace view::assets\n" @ONLY)
-ogive_app_library(ogive_view SOURCES view/*.cpp "${CMAKE_CURRENT_BINARY_DIR}/view_assets.cpp" LIBRARIES ogive_options ogive::vtk
+ogive_app_library(ogive_view SOURCES view/*.cpp "${CMAKE_CURRENT_BINARY_DIR}/view_assets.cpp" LIBRARIES ogive_draw
                   VTK::IOCore nlohmann_json::nlohmann_json)

@@ -1,4 +1,4 @@
-# Runs ogive draw and ogive view with bad input: each must end with status 2, one line on stderr, nothing on stdout, and no new file.
+# Runs ogive draw, ogive view and ogive shoot --animate with bad input: each must end with status 2, one line on stderr, nothing on stdout, and no new file.
 # Needs
 # -D OGIVE=<the program>.
 
@@ -44,6 +44,19 @@ refuses("${draw}" "--columns = 1.5: must be a whole number" --series listing.pvd
 refuses("${draw}" "--colour = heat: must be one of plastic_strain, temperature" --series listing.pvd --colour heat ${out})
 refuses("${draw}" "--range = 2,1: must be two numbers" --series listing.pvd --range 2,1 ${out})
 refuses("${draw}" "--view-mm = -40,22: must be three numbers" --series listing.pvd --view-mm -40,22 ${out})
+
+refuses("${draw}" "--animate = a.avi: must be the name of a .mp4, .webm, .gif or .apng file" --series two --animate a.avi)
+refuses("${draw}" "--out: belongs to a picture, --animate names the film" --series two --animate a.gif ${out})
+refuses("${draw}" "--series = 2 series: must be one for a film" --series two empty --animate a.gif)
+refuses("${draw}" "--columns, --label, --times-us: belong to a picture" --series two --animate a.gif --columns 2)
+refuses("${draw}" "--animate: belongs to --series, not to --mesh" --mesh two --animate a.gif)
+refuses("${draw}" "--from = left: must be one of section, oblique, behind" --series two --from left ${out})
+set(shoot "${OGIVE};shoot")
+refuses("${shoot}" "--animate = a.png: must be the name of a .mp4, .webm, .gif or .apng file" --animate a.png --out new)
+refuses("${shoot}" "--animate = a.gif: needs the frames of the run" --animate a.gif --no-vtk --out new)
+set(ENV{PATH} "${folder}")
+refuses("${shoot}" "--animate = a.gif: needs ffmpeg, which is not installed or not in PATH (Debian: ffmpeg)" --animate a.gif
+        --out new)
 
 set(view "${OGIVE};view")
 refuses("${view}" "RESULT: one is required" --out a.html)

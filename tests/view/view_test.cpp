@@ -213,16 +213,5 @@ TEST_CASE("what a page lacks is named") {
   CHECK_THROWS_WITH(read_velocity(sample.folder.path / "a.csv"),
                     Catch::Contains("a.csv:2: time and velocity must be numbers"));
   write(sample.folder.path / "b.csv", "time_us\n0\n");
-  CHECK_THROWS_WITH(read_velocity(sample.folder.path / "b.csv"),
-                    Catch::Contains("column velocity_m_per_s is missing"));
-}
-
-TEST_CASE("frames of a long series are left out at even distances") {
-  using Numbers = std::vector<std::size_t>;
-  CHECK(shown_frames(3, 20) == Numbers{0, 1, 2});
-  CHECK(shown_frames(5, 3) == Numbers{0, 2, 4});
-  CHECK(shown_frames(25, 1) == Numbers{24});
-  CHECK(shown_frames(100, 20).front() == 0);
-  CHECK(shown_frames(100, 20).back() == 99);
-  CHECK(shown_frames(0, 20).empty());
+  CHECK_THROWS_WITH(read_velocity(sample.folder.path / "b.csv"), Catch::Contains("column velocity_m_per_s is missing"));
 }

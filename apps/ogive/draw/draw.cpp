@@ -38,7 +38,7 @@ struct Figure {
   void (*draw)(const Options &o);
 };
 const std::vector<Figure> figures{
-    {"Sections", "series", draw_sections},
+    {"Sections", "series", [](const Options &o) { o.animate.empty() ? draw_sections(o) : draw_film(o); }},
     {"Velocity", "velocity", plot_velocities},
     {"Projectiles", "projectiles", [](const Options &o) { draw::render_projectiles(o.title, o.out); }},
     {"Mesh", "mesh", [](const Options &o) {
@@ -72,6 +72,7 @@ const options::Command command{
     .examples =
         "  ogive draw --series vtk_out/my_case --times-us 0,20,40,last --out sequence.png\n"
         "  ogive draw --series vtk_out/blunt vtk_out/conical --label \"(a) blunt\" \"(b) conical\" --out two.png\n"
+        "  ogive draw --series vtk_out/my_case --animate my_case.mp4\n"
         "  ogive draw --velocity vtk_out/blunt vtk_out/conical --out velocities.svg\n",
     .more = "Exit status: 0 done; 2 wrong input; 3 the picture could not be drawn or written; 1 anything else.\n"};
 

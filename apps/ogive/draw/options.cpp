@@ -2,6 +2,7 @@
 #include "options.hpp"
 
 #include "../results.hpp"
+#include "draw/film.hpp"
 
 namespace commands::drawing {
 
@@ -25,6 +26,8 @@ void add_numbers(Table &table, std::optional<std::array<double, count>> &value, 
     value = numbers;
   };
 }
+
+constexpr char film_names[] = "the name of a .mp4, .webm, .gif or .apng file";
 
 } // namespace
 
@@ -57,6 +60,14 @@ Table table_of(Options &o) {
       .allowed = "three numbers separated by commas, the second 1 mm or more above the first, the third 1 mm or more"},
       [](const auto &v) { return v[1] - v[0] >= 1 && v[2] >= 1; });
   add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "thin lines between the hexes"});
+  add(table, o.from, {.key = "from", .meaning = "where it is seen from: the section; obliquely; or all of the plate from "
+      "behind, without the projectile", .brief = "seen as section, oblique or from behind"});
+  add(table, o.animate, {.key = "animate", .meaning = "a film of one series in the place of a picture; needs ffmpeg",
+      .brief = "a film of the series", .allowed = film_names}).placeholder = "FILE.mp4|webm|gif|apng";
+  add(table, o.frames, {.key = "frames", .meaning = "of a film at most; of a longer series some are left out, at even distances",
+      .source = "ours", .limits = {1, 10000}});
+  add(table, o.frames_per_second, {.key = "frames_per_second", .meaning = "of a film", .source = "ours",
+      .limits = {0.1, 60}});
 
   table.group = "Velocity";
   add(table, o.velocity, {.key = "velocity",
@@ -90,6 +101,14 @@ Table table_of(Options &o) {
 void check(const Options &o) {
   const bool plot = !o.velocity.empty() || o.projectiles;
   const std::string allowed = plot ? "the name of a .svg or .png file" : "the name of a .png file";
+  if (!o.animate.empty()) {
+    if (!draw::is_film(o.animate)) refuse("--animate", o.animate.string(), std::string("must be ") + film_names);
+    if (!o.out.empty()) throw ogive::SetupError("--out: belongs to a picture, --animate names the film");
+    if (o.columns || !o.label.empty() || o.times_us != std::vector{last_time})
+      throw ogive::SetupError("--columns, --label, --times-us: belong to a picture, not to --animate");
+    if (o.series.size() != 1) refuse("--series", std::to_string(o.series.size()) + " series", "must be one for a film");
+    return;
+  }
   if (o.out.empty()) throw ogive::SetupError("--out: is required: " + allowed);
   if (o.out.stem().empty() || !(o.out.extension() == ".png" || (plot && o.out.extension() == ".svg")))
     refuse("--out", o.out.string(), "must be " + allowed);

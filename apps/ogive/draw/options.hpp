@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "draw/scene.hpp"
 #include "options/table.hpp"
 
 #include "ogive/core/symmetry.hpp"
@@ -10,6 +11,15 @@
 
 /// \file
 /// The options of `ogive draw`.
+
+namespace draw {
+
+/// The names of where a picture is seen from.
+inline auto choices(Seen) {
+  return options::named<Seen>({{Seen::section, "section"}, {Seen::oblique, "oblique"}, {Seen::behind, "behind"}});
+}
+
+} // namespace draw
 
 namespace commands::drawing {
 
@@ -34,6 +44,10 @@ struct Options {
   std::optional<std::array<double, 2>> range;   ///< values of the first and of the last colour
   std::optional<std::array<double, 3>> view_mm; ///< lowest and highest z, radius
   bool mesh_edges = false;
+  draw::Seen from = draw::Seen::section;
+  fs::path animate; ///< a film in the place of a picture
+  int frames = 50;
+  double frames_per_second = 8;
   std::optional<ogive::Extent> extent; ///< of results whose files do not hold it
 
   std::vector<fs::path> velocity; ///< history.csv files, or the folders that they lie in

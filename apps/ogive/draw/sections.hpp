@@ -8,4 +8,7 @@ namespace commands::drawing {
 /// Draws the sections of --series.
 void draw_sections(const Options &options);
 
+/// Draws the film of --animate.
+void draw_film(const Options &options);
+
 } // namespace commands::drawing
