@@ -2,6 +2,7 @@
 #include "../commands.hpp"
 
 #include "../results.hpp"
+#include "compare.hpp"
 #include "draw/model.hpp"
 #include "draw/plot.hpp"
 #include "draw/projectiles.hpp"
@@ -40,6 +41,7 @@ struct Figure {
 const std::vector<Figure> figures{
     {"Sections", "series", [](const Options &o) { o.animate.empty() ? draw_sections(o) : draw_film(o); }},
     {"Velocity", "velocity", plot_velocities},
+    {"Comparison", "compare", compare},
     {"Projectiles", "projectiles", [](const Options &o) { draw::render_projectiles(o.title, o.out); }},
     {"Mesh", "mesh", [](const Options &o) {
        draw::render_model(read_frame(ogive::read_series(find_pvd(o.mesh, "--mesh")), 0, symmetry_of(o.extent)), o.title,
@@ -48,10 +50,10 @@ const std::vector<Figure> figures{
 
 /// The picture that is meant; refuses options of others.
 const Figure &figure_of(const Table &table, const Options &o, const options::CommandLine &line) {
-  const std::array chosen{!o.series.empty(), !o.velocity.empty(), o.projectiles, !o.mesh.empty()};
+  const std::array chosen{!o.series.empty(), !o.velocity.empty(), !o.compare.empty(), o.projectiles, !o.mesh.empty()};
   const auto count = std::count(chosen.begin(), chosen.end(), true);
   if (count != 1)
-    throw ogive::SetupError("--series, --velocity, --projectiles, --mesh: " +
+    throw ogive::SetupError("--series, --velocity, --compare, --projectiles, --mesh: " +
                             std::string(count == 0 ? "one is required" : "only one may be given") +
                             ": each draws another picture");
   const auto &figure =
@@ -67,12 +69,14 @@ const Figure &figure_of(const Table &table, const Options &o, const options::Com
 const options::Command command{
     .name = "ogive draw",
     .purpose = "Draws sections of results on one page, all at the same scale and with the same colours;\n"
-               "or velocities against time; or the paper's projectiles; or the model before the shot.\n",
-    .usage = "--series|--velocity|--mesh FOLDER... --out FILE.png [options]",
+               "or velocities against time; or two results beside each other; or the paper's projectiles; or "
+               "the\nmodel before the shot.\n",
+    .usage = "--series|--velocity|--compare|--mesh FOLDER... --out FILE.png [options]",
     .examples =
         "  ogive draw --series vtk_out/my_case --times-us 0,20,40,last --out sequence.png\n"
         "  ogive draw --series vtk_out/blunt vtk_out/conical --label \"(a) blunt\" \"(b) conical\" --out two.png\n"
         "  ogive draw --series vtk_out/my_case --animate my_case.mp4\n"
+        "  ogive draw --compare vtk_out/coarse vtk_out/fine --out coarse_or_fine\n"
         "  ogive draw --velocity vtk_out/blunt vtk_out/conical --out velocities.svg\n",
     .more = "Exit status: 0 done; 2 wrong input; 3 the picture could not be drawn or written; 1 anything else.\n"};
 

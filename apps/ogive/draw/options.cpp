@@ -77,6 +77,12 @@ Table table_of(Options &o) {
   add(table, o.measured_mps, {.key = "measured_mps", .meaning = "residual velocity of a test, as a line",
       .limits = {0, 1e5, "m/s"}});
 
+  table.group = "Comparison";
+  add(table, o.compare, {.key = "compare",
+      .meaning = "two results of ogive shoot: prints what differs; --out is a folder for differences.csv, velocity.svg and "
+      "sections.png, the last frames", .brief = "compare two results",
+      .allowed = "two folders with a summary.json"}).placeholder = "FOLDER FOLDER";
+
   table.group = "Projectiles";
   add(table, o.projectiles, {.key = "projectiles", .meaning = "draw the paper's projectiles with their dimensions",
       .brief = "draw the paper's projectiles with their dimensions"});
@@ -92,13 +98,21 @@ Table table_of(Options &o) {
       .source = "(a) time and velocity, or the folder: where there are several",
       .brief = "names of sections or curves"});
   add(table, o.title, {.key = "title", .meaning = "above the picture", .brief = "above the picture"});
-  add(table, o.out, {.key = "out", .meaning = "the picture; .svg for plots and projectiles too",
-      .brief = "the picture"}).placeholder = "FILE.png";
+  add(table, o.out, {.key = "out", .meaning = "the picture; .svg for plots and projectiles too; of --compare a folder",
+      .brief = "the picture, or the folder of a comparison"}).placeholder = "FILE.png";
   return table;
 }
 // clang-format on
 
 void check(const Options &o) {
+  if (!o.compare.empty()) {
+    if (o.compare.size() != 2)
+      refuse("--compare", std::to_string(o.compare.size()) + " folders", "must be two folders with a summary.json");
+    if (o.out.empty()) throw ogive::SetupError("--out: is required: a folder for table and pictures");
+    if (!o.label.empty() && o.label.size() != 2)
+      refuse("--label", std::to_string(o.label.size()) + " texts", "must be one for each result, 2");
+    return;
+  }
   const bool plot = !o.velocity.empty() || o.projectiles;
   const std::string allowed = plot ? "the name of a .svg or .png file" : "the name of a .png file";
   if (!o.animate.empty()) {

@@ -53,6 +53,8 @@ struct Options {
   std::vector<fs::path> velocity; ///< history.csv files, or the folders that they lie in
   std::optional<double> measured_mps;
 
+  std::vector<fs::path> compare; ///< two folders of results
+
   bool projectiles = false;
 
   fs::path mesh; ///< as series; its first frame
