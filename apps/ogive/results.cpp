@@ -49,8 +49,14 @@ std::string case_title(const fs::path &folder) {
     const auto text = [&](const char *key) { return summary.at(key).get<std::string>(); };
     const auto number = [&](const char *key) { return options::shortest(summary.at(key).get<double>()); };
     const auto *metal = materials::find_library_metal(text("material"));
+    const bool oblique = summary.at("obliquity_deg").get<double>() != 0;
+    std::vector<double> layers_mm;
+    if (summary.contains("layers"))
+      for (const auto &layer : summary["layers"]) layers_mm.push_back(layer.at("thickness_mm").get<double>());
     return (metal ? std::string(metal->test_name) : text("material")) + ", " + text("nose") + ", " +
-           number("thickness_mm") + " mm, " + number("initial_velocity_mps") + " m/s";
+           (layers_mm.empty() ? number("thickness_mm") : options::joined(layers_mm, " + ")) + " mm, " +
+           number("initial_velocity_mps") + " m/s" + (oblique ? " at " + number("obliquity_deg") + " deg" : "") +
+           (text("method") == "sfm" ? "" : ", " + text("method"));
   } catch (const std::exception &) {
     return folder_name(folder / "file");
   }

@@ -76,6 +76,7 @@ class Page(unittest.TestCase):
         self.wait_for_frame(last)
         for name, act in (("field", lambda: press("f")), ("view", lambda: press("5")), ("cut", lambda: press("c")),
                           ("turned", lambda: press("ArrowLeft", shift=True)), ("lines", lambda: press("m")),
+                          ("hidden", lambda: press("h")), ("shown", lambda: press("h")),
                           ("zoom", lambda: press("+")), ("section", lambda: press("1"))):
             with self.subTest(name):
                 self.assertTrue(self.changed_by(act))

@@ -28,7 +28,8 @@ function redraw() {
   if (!stage.frame) return;
   drawBar();
   show(stage.frame, {field: at('field').selectedIndex, range: state.ranges[at('field').selectedIndex], cut: cutNow(),
-    whole: at('extent').value === 'whole', edges: at('edges').checked, colourProjectile: at('colour_projectile').checked});
+    whole: at('extent').value === 'whole', edges: at('edges').checked, colourProjectile: at('colour_projectile').checked,
+    hideProjectile: at('hide_projectile').checked});
 }
 
 // Shows frame k as soon as it is unpacked, unless another one is wanted by then.
@@ -88,7 +89,7 @@ const keys = {
   End: () => goTo(model.frames.length - 1), ' ': () => play(!state.playing), '+': () => zoom(1.2), '=': () => zoom(1.2),
   '-': () => zoom(1 / 1.2), w: () => move(0, 0.05), s: () => move(0, -0.05), a: () => move(-0.05, 0), d: () => move(0.05, 0),
   c: () => step(at('cut'), 1), '[': moveCut(-1), ']': moveCut(1), f: () => step(at('field'), 1), p: toggle('colour_projectile'),
-  m: toggle('edges'), v: () => showValues(0, 0), Escape: () => at('values').hidden = true
+  h: toggle('hide_projectile'), m: toggle('edges'), v: () => showValues(0, 0), Escape: () => at('values').hidden = true
 };
 Object.keys(views).forEach((view, k) => keys[String(k + 1)] = () => chooseView(view));
 const turns = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1]};
@@ -98,7 +99,8 @@ document.addEventListener('keydown', event => {
   const {tagName, type} = event.target;
   if (tagName === 'SELECT' || type === 'number' || (event.key === ' ' && /BUTTON|INPUT|SUMMARY/.test(tagName))) return;
   if (type === 'range' && event.target !== at('time') && /^(Arrow|Home|End)/.test(event.key)) return;
-  const act = event.shiftKey && turns[event.key] ? () => turn(...turns[event.key]) : keys[event.key] ?? keys[event.key.toLowerCase()];
+  const turned = event.shiftKey && turns[event.key];
+  const act = turned ? () => turn(...turned) : keys[event.key] ?? keys[event.key.toLowerCase()];
   if (!act) return;
   event.preventDefault();
   act();
@@ -114,7 +116,8 @@ function wire() {
     button.addEventListener('click', () => chooseView(view));
     return button;
   }));
-  for (const id of ['field', 'extent', 'cut', 'cut_flip', 'colour_projectile', 'edges']) at(id).addEventListener('change', redraw);
+  for (const id of ['field', 'extent', 'cut', 'cut_flip', 'colour_projectile', 'hide_projectile', 'edges'])
+    at(id).addEventListener('change', redraw);
   at('cut_at').addEventListener('input', redraw);
   for (const id of ['low', 'high'])
     at(id).addEventListener('change', () => {

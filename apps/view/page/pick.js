@@ -32,7 +32,7 @@ function pickHex({part, corners, hexes}, ray, best) {
 function pick(x, y) {
   const ray = new THREE.Ray(new THREE.Vector3(x, y, -1).unproject(camera), camera.getWorldDirection(new THREE.Vector3()));
   let best = {distance: Infinity};
-  for (const part of stage.frame.parts)
+  for (const part of stage.parts)
     if (part.hexes === undefined) best = pickParticle(part, ray.origin, ray.direction, best);
   for (const faces of stage.faces) best = pickHex(faces, ray, best);
   return best.part ? best : null;
@@ -40,7 +40,9 @@ function pick(x, y) {
 
 // The lines of text on what was picked.
 function valuesText({part, index, kind, place}) {
-  const lines = [`${part.name}, ${kind} ${index}`, `x, y, z: ${place.map(v => (Math.round(100 * v) / 100 + 0).toFixed(2)).join(', ')} mm`];
+  // No "-0.00".
+  const shown = place.map(v => (Math.round(100 * v) / 100 + 0).toFixed(2));
+  const lines = [`${part.name}, ${kind} ${index}`, `x, y, z: ${shown.join(', ')} mm`];
   model.fields.forEach((field, f) => {
     const {title, unit} = described(field);
     lines.push(`${title}: ${shortNumber(part.fields[f](index))} ${unit}`.trimEnd());

@@ -17,7 +17,7 @@ const orbit = new THREE.OrbitControls(camera, canvas);
 orbit.enableKeys = false;
 orbit.screenSpacePanning = true;
 
-const stage = {frame: null, faces: [], copies: [[1, 1]], reach: 10};
+const stage = {frame: null, parts: [], faces: [], copies: [[1, 1]], reach: 10};
 const edgeMaterial = new THREE.LineBasicMaterial({color: 0x5c636e});
 const materials = {};
 
@@ -49,8 +49,8 @@ function resize() {
 const keeps = cut => (x, y, z) => cut[0] * x + cut[1] * y + cut[2] * z <= cut[3];
 
 // Shows a frame: `field` its number, `range` of the colours, `cut` [x, y, z, offset]: what lies beyond is left out;
-// `whole`: with its mirror images; `edges`: with mesh lines; `colourProjectile`.
-function show(frame, {field, range, cut, whole, edges, colourProjectile}) {
+// `whole`: with its mirror images; `edges`: with mesh lines; `colourProjectile`, `hideProjectile`.
+function show(frame, {field, range, cut, whole, edges, colourProjectile, hideProjectile}) {
   stage.frame = frame;
   stage.cut = cut;
   const signs = mirrored => whole && mirrored ? [1, -1] : [1];
@@ -58,7 +58,8 @@ function show(frame, {field, range, cut, whole, edges, colourProjectile}) {
   for (const old of scene.children) old.geometry.dispose();
   scene.remove(...scene.children);
   stage.faces = [];
-  for (const part of frame.parts) {
+  stage.parts = frame.parts.filter(part => !(hideProjectile && isProjectile(part)));
+  for (const part of stage.parts) {
     const material = materialOf(part), uniforms = material.uniforms;
     uniforms.range.value.set(...range);
     uniforms.grey.value = isProjectile(part) && !colourProjectile ? 1 : 0;
