@@ -20,6 +20,9 @@ namespace draw {
 /// The endings of films.
 inline constexpr std::array film_endings{"mp4", "webm", "gif", "apng"};
 
+/// What the name of a film must be, for errors.
+inline constexpr char film_names[] = "the name of a .mp4, .webm, .gif or .apng file";
+
 /// Whether the name of a file has one of the endings.
 bool is_film(const std::filesystem::path &path);
 

@@ -71,7 +71,11 @@ void draw_apart(const std::filesystem::path &picture, double seconds, const std:
   const pid_t child = ::fork();
   if (child == 0) draw_and_exit(pipe[1], draw);
   ::close(pipe[1]);
-  const int status = child < 0 ? not_started : await(child, seconds);
+  if (child < 0) {
+    ::close(pipe[0]);
+    return draw();
+  }
+  const int status = await(child, seconds);
   std::string text(4000, '\0');
   const auto size = ::read(pipe[0], text.data(), text.size());
   ::close(pipe[0]);

@@ -43,7 +43,7 @@ options::Table table_of(shot::Options &o, General &general) {
       "the results, if an interrupted run of this very case left one there; else begin", .source = "no: ours",
       .in_file = false});
   options::add(t, general.animate, {.key = "animate", .meaning = "draw a film of the run's section; needs ffmpeg",
-      .source = "none: ogive draw --animate draws it later", .allowed = "the name of a .mp4, .webm, .gif or .apng file",
+      .source = "none: ogive draw --animate draws it later", .allowed = draw::film_names,
       .in_file = false}).placeholder = "FILE.mp4|webm|gif|apng";
   return t;
 }
@@ -52,8 +52,8 @@ options::Table table_of(shot::Options &o, General &general) {
 /// Throws SetupError for a film that cannot be made of a run.
 void check_film(const std::filesystem::path &film, const shot::Options &o) {
   if (film.empty()) return;
-  const auto refuse = [&](const char *allowed) { options::refuse("--animate", film.string(), allowed); };
-  if (!draw::is_film(film)) refuse("must be the name of a .mp4, .webm, .gif or .apng file");
+  const auto refuse = [&](const std::string &allowed) { options::refuse("--animate", film.string(), allowed); };
+  if (!draw::is_film(film)) refuse(std::string("must be ") + draw::film_names);
   if (!o.vtk) refuse("needs the frames of the run, which --no-vtk leaves out");
   if (!draw::ffmpeg_available()) refuse("needs ffmpeg, which is not installed or not in PATH (Debian: ffmpeg)");
 }
@@ -122,8 +122,11 @@ std::optional<ShootCommand> parse_shoot(const options::Arguments &arguments, std
 int shoot(const options::Arguments &arguments) {
   const auto command = parse_shoot(arguments, std::cout);
   if (!command) return options::success;
-  const shot::SignalCatcher catcher;
-  const auto outcome = shot::run(command->shot, shot::Output::all);
+  shot::Outcome outcome;
+  {
+    const shot::SignalCatcher catcher;
+    outcome = shot::run(command->shot, shot::Output::all);
+  }
   if (!command->film.empty() && outcome.shot.interrupted_by == 0) animate(command->film, command->shot);
   return outcome.status;
 }

@@ -27,8 +27,6 @@ void add_numbers(Table &table, std::optional<std::array<double, count>> &value, 
   };
 }
 
-constexpr char film_names[] = "the name of a .mp4, .webm, .gif or .apng file";
-
 } // namespace
 
 // clang-format off
@@ -63,7 +61,7 @@ Table table_of(Options &o) {
   add(table, o.from, {.key = "from", .meaning = "where it is seen from: the section; obliquely; or all of the plate from "
       "behind, without the projectile", .brief = "seen as section, oblique or from behind"});
   add(table, o.animate, {.key = "animate", .meaning = "a film of one series in the place of a picture; needs ffmpeg",
-      .brief = "a film of the series", .allowed = film_names}).placeholder = "FILE.mp4|webm|gif|apng";
+      .brief = "a film of the series", .allowed = draw::film_names}).placeholder = "FILE.mp4|webm|gif|apng";
   add(table, o.frames, {.key = "frames", .meaning = "of a film at most; of a longer series some are left out, at even distances",
       .source = "ours", .limits = {1, 10000}});
   add(table, o.frames_per_second, {.key = "frames_per_second", .meaning = "of a film", .source = "ours",
@@ -116,7 +114,7 @@ void check(const Options &o) {
   const bool plot = !o.velocity.empty() || o.projectiles;
   const std::string allowed = plot ? "the name of a .svg or .png file" : "the name of a .png file";
   if (!o.animate.empty()) {
-    if (!draw::is_film(o.animate)) refuse("--animate", o.animate.string(), std::string("must be ") + film_names);
+    if (!draw::is_film(o.animate)) refuse("--animate", o.animate.string(), std::string("must be ") + draw::film_names);
     if (!o.out.empty()) throw ogive::SetupError("--out: belongs to a picture, --animate names the film");
     if (o.columns || !o.label.empty() || o.times_us != std::vector{last_time})
       throw ogive::SetupError("--columns, --label, --times-us: belong to a picture, not to --animate");
