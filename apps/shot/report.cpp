@@ -297,6 +297,8 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
               ns_per_particle_step(s), peak_memory_mb());
   std::printf("  %-22s %s\n", "shares", shares(s).c_str());
   std::printf("  %-22s %s\n", "files", o.out.string().c_str());
+  // The pictures come next; who reads through a pipe need not wait for them.
+  std::fflush(stdout);
 }
 
 } // namespace shot

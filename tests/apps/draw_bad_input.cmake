@@ -53,6 +53,7 @@ refuses("${draw}" "--out: belongs to a picture, --animate names the film" --seri
 refuses("${draw}" "--series = 2 series: must be one for a film" --series two empty --animate a.gif)
 refuses("${draw}" "--columns, --label, --times-us: belong to a picture" --series two --animate a.gif --columns 2)
 refuses("${draw}" "--animate: belongs to --series, not to --mesh" --mesh two --animate a.gif)
+refuses("${draw}" "--pixels = 50: must be a whole number between 200 and 8000" --series two --pixels 50 ${out})
 refuses("${draw}" "--from = left: must be one of section, oblique, behind" --series two --from left ${out})
 set(shoot "${OGIVE};shoot")
 refuses("${shoot}" "--animate = a.png: must be the name of a .mp4, .webm, .gif or .apng file" --animate a.png --out new)

@@ -73,6 +73,12 @@ class Results(unittest.TestCase):
         self.assertRegex(lines[2], f"largest plastic strain {max(strain):.3f}$")
         self.assertTrue(lines[3].startswith("undecided: plug "), lines[3])
 
+    @unittest.skipUnless(shutil.which("ffmpeg"), "needs ffmpeg")
+    def test_film_of_a_shot(self):
+        run("shoot", *SMALL, "--thickness-mm", 4, "--velocity-mps", 200, "--no-picture", "--quiet", "--animate",
+            folder / "film.gif", "--out", folder / "film")
+        self.assertEqual((folder / "film.gif").read_bytes()[:6], b"GIF89a")
+
     def test_study(self):
         # Rows come in the order in which the shots end.
         self.assertEqual(sorted(printed_by_example(folder / "study")),

@@ -60,6 +60,8 @@ Table table_of(Options &o) {
   add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "thin lines between the hexes"});
   add(table, o.from, {.key = "from", .meaning = "where it is seen from: the section; obliquely; or all of the plate from "
       "behind, without the projectile", .brief = "seen as section, oblique or from behind"});
+  add(table, o.pixels, {.key = "pixels", .meaning = "width of the page at most", .source = "1600, of a film 1000: ours",
+      .limits = {200, 8000}});
   add(table, o.animate, {.key = "animate", .meaning = "a film of one series in the place of a picture; needs ffmpeg",
       .brief = "a film of the series", .allowed = draw::film_names}).placeholder = "FILE.mp4|webm|gif|apng";
   add(table, o.frames, {.key = "frames", .meaning = "of a film at most; of a longer series some are left out, at even distances",

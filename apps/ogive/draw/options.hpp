@@ -45,7 +45,8 @@ struct Options {
   std::optional<std::array<double, 3>> view_mm; ///< lowest and highest z, radius
   bool mesh_edges = false;
   draw::Seen from = draw::Seen::section;
-  fs::path animate; ///< a film in the place of a picture
+  std::optional<int> pixels; ///< width of the page at most
+  fs::path animate;          ///< a film in the place of a picture
   int frames = 50;
   double frames_per_second = 8;
   std::optional<ogive::Extent> extent; ///< of results whose files do not hold it

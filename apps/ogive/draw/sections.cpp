@@ -8,6 +8,8 @@
 
 #include "ogive/io/read_frame.hpp"
 
+#include <cmath>
+
 namespace commands::drawing {
 
 using options::refuse;
@@ -47,6 +49,12 @@ std::vector<draw::PanelCell> read_cells(const Options &o) {
 
 /// Fills in what the options say of a panel, but for the box that is seen.
 void choose(draw::SectionPanel &panel, const Options &o) {
+  if (o.pixels) {
+    const double scale = double(*o.pixels) / panel.width;
+    panel.width = *o.pixels;
+    panel.height = static_cast<int>(std::lround(scale * panel.height));
+    panel.font_size = static_cast<int>(std::lround(scale * panel.font_size));
+  }
   const bool strain = o.colour == Colour::plastic_strain;
   const auto range = o.range.value_or(strain ? std::array{0.0, 1.5} : std::array{300.0, 900.0});
   panel.title = o.title;

@@ -32,7 +32,7 @@ function redraw() {
     hideProjectile: at('hide_projectile').checked});
 }
 
-// Shows frame k as soon as it is unpacked, unless another one is wanted by then.
+// Shows frame k once it is unpacked, unless another one is wanted by then.
 async function goTo(k) {
   state.wanted = Math.min(Math.max(k, 0), model.frames.length - 1);
   const wanted = state.wanted, frame = await frameOf(wanted);
