@@ -101,7 +101,7 @@ class Browser:
             raise RuntimeError(f"{expression}: {result['exceptionDetails']}")
         return result["result"].get("value")
 
-    def wait_for(self, expression, seconds=60):
+    def wait_for(self, expression, seconds=120):
         """Waits until an expression is true."""
         done = self.value(f"""new Promise(resolve => {{
             const end = performance.now() + {1000 * seconds};
