@@ -11,6 +11,7 @@ if(OGIVE_BUILD_APPS)
   set(picture_modules
       FiltersGeneral
       FiltersGeometry
+      IOCore
       IOImage
       RenderingAnnotation
       RenderingCore

@@ -15,10 +15,10 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 perforates a metal plate: particles (SPH) where the plate is destroyed,
 hexahedra elsewhere, a modified Johnson-Cook law for the metal.")
 # dpkg-shlibdeps finds the libraries of the programs: VTK, OpenMP and EGL (libegl1, which brings Mesa). The headers need
-# Eigen; only those of ogive::vtk need the headers of VTK. Curves are drawn by gnuplot, sections by a driver of Mesa;
-# shots run without either.
+# Eigen; only those of ogive::vtk need the headers of VTK. Curves are drawn by gnuplot, sections by a driver of Mesa,
+# pages of `ogive view` hold three.js, films need ffmpeg; shots run without them.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ (>= 4:12), gnuplot-nox | gnuplot, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ (>= 4:12), gnuplot-nox | gnuplot, libgl1-mesa-dri, libjs-three, ffmpeg")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, libvtk9-dev, cmake (>= 3.25), paraview")
 include(CPack)

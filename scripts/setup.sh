@@ -21,6 +21,7 @@ python3      python3
 -            libvtk9-dev
 -            libgl1-mesa-dri
 -            libegl-dev
+-            libjs-three
 '
 
 is_installed() {

@@ -39,22 +39,44 @@ namespace draw {
 
 namespace {
 
-/// OpenGL that draws into memory, current in this thread: EGL without a surface, as Mesa has it. Debian's VTK itself
-/// would open a window on an X server, and crash or wait where none answers.
+/// The places where EGL may draw, the best first: memory alone, as Mesa has it; a graphics card without a display, for
+/// drivers that know no other way; and an X server or its like, a virtual one too.
+std::vector<EGLDisplay> displays() {
+  std::vector<EGLDisplay> all{eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)};
+  if (const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"))) {
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    if (query(EGLint(devices.size()), devices.data(), &count))
+      for (EGLint k = 0; k < count; ++k)
+        all.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(k)], nullptr));
+  }
+  all.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+  return all;
+}
+
+/// OpenGL that draws into memory, current in this thread: EGL without a surface. Debian's VTK itself would open a
+/// window on an X server, and crash or wait where none answers.
 struct Context {
-  EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
   bool current = false;
 
   Context() {
-    if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) return;
-    constexpr EGLint version_3_2[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_NONE};
-    context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version_3_2);
-    current = eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+    for (EGLDisplay one : displays()) {
+      if (one == EGL_NO_DISPLAY || !eglInitialize(one, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) continue;
+      constexpr EGLint version_3_2[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_NONE};
+      context = eglCreateContext(one, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version_3_2);
+      display = one;
+      current = context != EGL_NO_CONTEXT && eglMakeCurrent(one, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+      if (current) return;
+      if (context != EGL_NO_CONTEXT) eglDestroyContext(one, context);
+      context = EGL_NO_CONTEXT;
+    }
   }
   ~Context() {
+    if (context == EGL_NO_CONTEXT) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+    eglDestroyContext(display, context);
   }
   Context(const Context &) = delete;
   Context &operator=(const Context &) = delete;
@@ -191,7 +213,7 @@ void add_colour_bar(Page &page, vtkColorTransferFunction *colours, int font_size
   page.ink->AddActor2D(bar);
 }
 
-void write_png(const Page &page, const std::filesystem::path &path, int levels) {
+void write_png(const Page &page, const std::filesystem::path &path, int levels, int compression) {
   const Context context;
   if (!context.current)
     throw ogive::write_error(path, "drawing needs EGL of Mesa 3D (Debian: libegl1 and libgl1-mesa-dri)");
@@ -209,7 +231,7 @@ void write_png(const Page &page, const std::filesystem::path &path, int levels) 
   if (image == nullptr) throw ogive::write_error(path, "VTK drew nothing");
   vtkNew<vtkPNGWriter> png;
   png->SetInputData(image);
-  png->SetCompressionLevel(9);
+  png->SetCompressionLevel(compression);
   png->WriteToMemoryOn();
   png->Write();
   vtkUnsignedCharArray *result = png->GetResult();

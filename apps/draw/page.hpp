@@ -60,7 +60,7 @@ void add_colour_bar(Page &page, vtkColorTransferFunction *colours, int font_size
 
 /// Draws the page and writes it as a PNG. With fewer than 256 `levels` of red, green and blue each the shading of many
 /// small balls takes half the bytes or less; white stays white. Throws ogive::WriteError if OpenGL is not there or the
-/// file cannot be written.
-void write_png(const Page &page, const std::filesystem::path &path, int levels = 256);
+/// file cannot be written. `compression` is 1, fast, to 9, small.
+void write_png(const Page &page, const std::filesystem::path &path, int levels = 256, int compression = 9);
 
 } // namespace draw

@@ -4,38 +4,17 @@
 #include "ogive/core/error.hpp"
 #include "ogive/io/atomic_file.hpp"
 #include "options/text.hpp"
+#include "process.hpp"
 
 #include <algorithm>
-#include <fcntl.h>
 #include <fstream>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace draw {
 
 namespace {
 
-/// Runs gnuplot with `arguments`, silently, and returns its exit status; 127 if it cannot be started.
-int run_gnuplot(std::vector<std::string> arguments) {
-  std::string program = "gnuplot";
-  std::vector<char *> argv{program.data()};
-  for (auto &argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  const int error = ::posix_spawnp(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) return 127;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return 127;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 127;
-}
+constexpr double most_seconds = 60; ///< a plot takes well below one
+constexpr char package[] = "gnuplot-nox";
 
 /// Settings that all plots share: white ground, CSV files, quiet axes.
 std::string style(bool png, PictureSize size) {
@@ -49,7 +28,7 @@ std::string style(bool png, PictureSize size) {
 
 } // namespace
 
-bool gnuplot_available() { return run_gnuplot({"--version"}) == 0; }
+bool gnuplot_available() { return run_program("gnuplot", {"--version"}, most_seconds) == 0; }
 
 std::string gnuplot_quoted(const std::string &text) {
   ogive::require(text.find_first_of(std::string("\r\n\0", 3)) == std::string::npos, "text for gnuplot", text,
@@ -80,18 +59,16 @@ std::string gnuplot_colour(std::size_t k) {
 void draw_with_gnuplot(const std::string &commands, const std::filesystem::path &picture, PictureSize size) {
   ogive::require_replaceable(picture);
   const auto temporary = ogive::temporary_name(picture);
-  if (!gnuplot_available()) throw ogive::write_error(picture, "gnuplot is not installed or not in PATH");
   const std::string script = style(picture.extension() == ".png", size) + "set output " + gnuplot_file(temporary) +
                              "; " + commands + "; unset output";
   // Settings of the user in ~/.gnuplot or of the machine would change the picture.
-  const int status = run_gnuplot({"-d", "-e", script});
+  const int status = run_program("gnuplot", {"-d", "-e", script}, most_seconds);
   std::error_code error, ignored;
   const bool drawn = status == 0 && std::filesystem::file_size(temporary, error) > 0 && !error;
   if (drawn) std::filesystem::rename(temporary, picture, error);
   if (drawn && !error) return;
   std::filesystem::remove(temporary, ignored);
-  throw ogive::write_error(picture,
-                           drawn ? error.message() : "gnuplot fails with exit status " + std::to_string(status));
+  throw ogive::write_error(picture, drawn ? error.message() : failure_of("gnuplot", package, status, most_seconds));
 }
 
 std::string gnuplot_columns(const std::filesystem::path &file, const std::string &columns) {

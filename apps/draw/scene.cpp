@@ -4,8 +4,11 @@
 #include "ogive/io/vtk_data_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
+#include <utility>
+#include <vtkAlgorithm.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkDataSetMapper.h>
@@ -78,12 +81,13 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::PointCloud &cloud, ogive::S
   for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
     const ogive::Vec3<float> &x = cloud.positions[i];
     // Particles in the plane itself stay, whatever the round-off.
-    if (x[1] < -0.01F * cloud.diameter) continue;
-    for (int copy = 0; copy < (planes.x ? 2 : 1); ++copy) {
-      vertices->InsertNextCell({static_cast<vtkIdType>(positions.size())});
-      positions.emplace_back(copy == 0 ? x[0] : -x[0], x[1], x[2]);
-      values->InsertNextValue(field ? field->values[i] : 0.F);
-    }
+    if (!style.whole && x[1] < -0.01F * cloud.diameter) continue;
+    for (int x_copy = 0; x_copy < (planes.x ? 2 : 1); ++x_copy)
+      for (int y_copy = 0; y_copy < (style.whole && planes.y ? 2 : 1); ++y_copy) {
+        vertices->InsertNextCell({static_cast<vtkIdType>(positions.size())});
+        positions.emplace_back(x_copy == 0 ? x[0] : -x[0], y_copy == 0 ? x[1] : -x[1], x[2]);
+        values->InsertNextValue(field ? field->values[i] : 0.F);
+      }
   }
   vtkNew<vtkPolyData> points;
   points->SetPoints(ogive::to_vtk_points(positions));
@@ -100,7 +104,7 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::Symm
   const bool grey = drawn_grey(style, hexes.name);
   if (!grey) colour_field(hexes.cell_fields, style, hexes.name, hexes.hexes.size());
   vtkSmartPointer<vtkUnstructuredGrid> solid = ogive::to_vtk(hexes);
-  if (!planes.y) {
+  if (!planes.y && !style.whole) {
     vtkNew<vtkPlane> plane;
     // A micrometre off: hexes that touch the plane from the other side would leave slivers that shine through.
     plane->SetOrigin(0, 1e-3, 0);
@@ -113,13 +117,19 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::Symm
   }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(solid);
-  vtkNew<vtkReflectionFilter> mirror;
-  mirror->SetInputConnection(surface->GetOutputPort());
-  mirror->SetPlaneToX();
-  mirror->SetCenter(0);
-  mirror->CopyInputOn();
+  vtkSmartPointer<vtkAlgorithm> shown = surface.Get();
+  for (const auto &[mirrored, plane] :
+       {std::pair{planes.x, vtkReflectionFilter::USE_X}, {planes.y && style.whole, vtkReflectionFilter::USE_Y}}) {
+    if (!mirrored) continue;
+    vtkNew<vtkReflectionFilter> mirror;
+    mirror->SetInputConnection(shown->GetOutputPort());
+    mirror->SetPlane(plane);
+    mirror->SetCenter(0);
+    mirror->CopyInputOn();
+    shown = mirror.Get();
+  }
   vtkNew<vtkDataSetMapper> mapper;
-  mapper->SetInputConnection(planes.x ? mirror->GetOutputPort() : surface->GetOutputPort());
+  mapper->SetInputConnection(shown->GetOutputPort());
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectColorArray(style.field.c_str());
   auto actor = matt_actor(mapper, colours, grey, 0.55);
@@ -145,17 +155,26 @@ void aim(vtkRenderer *scene, const SectionView &view) {
   vtkCamera *camera = scene->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetParallelScale(view.half_height_mm);
-  camera->SetFocalPoint(view.centre_x_mm, 0, view.centre_z_mm);
-  camera->SetPosition(view.centre_x_mm, -1000, view.centre_z_mm);
-  camera->SetViewUp(0, 0, 1);
+  const bool behind = view.from == Seen::behind;
+  const double z = behind ? 0 : view.centre_z_mm;
+  const std::array<double, 3> way = behind                       ? std::array{0., 0., -1000.}
+                                    : view.from == Seen::oblique ? std::array{-480., -760., 440.}
+                                                                 : std::array{0., -1000., 0.};
+  camera->SetFocalPoint(view.centre_x_mm, 0, z);
+  camera->SetPosition(view.centre_x_mm + way[0], way[1], z + way[2]);
+  camera->SetViewUp(0, behind ? 1 : 0, behind ? 0 : 1);
   scene->ResetCameraClippingRange();
 }
 
 vtkSmartPointer<vtkRenderer> section_scene(const ogive::Frame &frame, const SectionStyle &style,
                                            vtkColorTransferFunction *colours, const SectionView &view) {
   auto scene = white_scene();
-  for (const auto &cloud : frame.clouds) scene->AddActor(section_actor(cloud, frame.symmetry, style, colours));
-  for (const auto &grid : frame.grids) scene->AddActor(section_actor(grid, frame.symmetry, style, colours));
+  SectionStyle shown = style;
+  shown.whole = view.from == Seen::behind;
+  for (const auto &cloud : frame.clouds) scene->AddActor(section_actor(cloud, frame.symmetry, shown, colours));
+  for (const auto &grid : frame.grids)
+    if (view.from != Seen::behind || grid.name != projectile_name)
+      scene->AddActor(section_actor(grid, frame.symmetry, shown, colours));
   aim(scene, view);
   return scene;
 }

@@ -12,28 +12,33 @@
 #include <vtkSmartPointer.h>
 
 /// \file
-/// Parts of a frame as VTK actors, cut open at the plane y = 0. The half with y >= 0 stays. Lengths in mm.
+/// Parts of a frame as VTK actors, cut open at the plane y = 0, where the half with y >= 0 stays, or whole. Lengths in
+/// mm.
 
 namespace draw {
 
+/// The name of the projectile among the parts of a frame.
+inline constexpr char projectile_name[] = "projectile";
+
 /// How the parts of a section are drawn.
 struct SectionStyle {
-  std::string field = "plastic_strain";              ///< a scalar field of particles and cells that gives the colour
-  double smallest = 0;                               ///< value of the first colour
-  double largest = 1.5;                              ///< value of the last colour
-  std::vector<std::string> grey_parts{"projectile"}; ///< drawn in one grey instead
-  bool mesh_edges = true;                            ///< thin lines between hexes
+  std::string field = "plastic_strain";                 ///< a scalar field of particles and cells that gives the colour
+  double smallest = 0;                                  ///< value of the first colour
+  double largest = 1.5;                                 ///< value of the last colour
+  std::vector<std::string> grey_parts{projectile_name}; ///< drawn in one grey instead
+  bool mesh_edges = true;                               ///< thin lines between hexes
   /// Radius of the spheres in particle distances; at half a lattice's diagonal, 0.7, neighbours close the face.
   double particle_radius = 0.7;
   double particle_ambient = 0.5; ///< light on spheres that does not shade them, 0 to 1
+  bool whole = false;            ///< with the half that a section leaves out
 };
 
 /// The colours: light grey for the undeformed metal, through yellow and red to almost black. Throws ogive::SetupError
 /// unless the largest value is above the smallest.
 vtkSmartPointer<vtkColorTransferFunction> section_colours(const SectionStyle &style);
 
-/// The particles of the half y >= 0 as spheres, the hexes as a closed surface, mirrored at x = 0 where that is a
-/// symmetry plane. Throws ogive::SetupError if they lack the field of the style, or it is not one number for each.
+/// The particles of the half y >= 0, or all, as spheres, the hexes as a closed surface, mirrored at the symmetry
+/// planes. Throws ogive::SetupError if they lack the field of the style, or it is not one number for each.
 vtkSmartPointer<vtkActor> section_actor(const ogive::PointCloud &cloud, ogive::SymmetryPlanes planes,
                                         const SectionStyle &style, vtkColorTransferFunction *colours);
 vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::SymmetryPlanes planes,
@@ -42,17 +47,25 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::Symm
 /// An empty scene: white, with one light that moves with the camera.
 vtkSmartPointer<vtkRenderer> white_scene();
 
-/// What a section shows of the plane y = 0, seen along y with z upwards.
+/// Where a picture is seen from, in parallel projection.
+enum class Seen {
+  section, ///< the half behind the plane y = 0, seen along y with z upwards
+  oblique, ///< the same half from the front, the left and above
+  behind   ///< all of the plate from behind, along z, without the projectile, which would hide hole and petals
+};
+
+/// What a picture shows. The rear view has the axis z in its middle instead.
 struct SectionView {
   double centre_x_mm = 0;     ///< in the middle of the view
   double centre_z_mm = -8;    ///< in the middle of the view; the plate's front face is z = 0
   double half_height_mm = 30; ///< half of what is seen from bottom to top
+  Seen from = Seen::section;
 };
 
-/// Points a scene's camera at a section.
+/// Points a scene's camera at a section or the plate.
 void aim(vtkRenderer *scene, const SectionView &view);
 
-/// The section of a frame as a scene, with the symmetry of the frame. The computed part of a model lies where the
+/// A frame as a scene, with the symmetry of the frame. The computed part of a model lies where the
 /// coordinates of its symmetry planes are positive. Throws ogive::SetupError if a part lacks the field of the style.
 vtkSmartPointer<vtkRenderer> section_scene(const ogive::Frame &frame, const SectionStyle &style,
                                            vtkColorTransferFunction *colours, const SectionView &view);

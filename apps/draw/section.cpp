@@ -28,7 +28,7 @@ PanelLayout panel_layout(std::size_t cells, const SectionPanel &panel) {
   const int rows = (static_cast<int>(cells) + columns - 1) / columns;
 
   PanelLayout layout;
-  layout.font_size = std::max(8, panel.width / 55);
+  layout.font_size = panel.font_size > 0 ? panel.font_size : std::max(8, panel.width / 55);
   const double font = layout.font_size, gap = 0.5 * font, label = 1.8 * font, side = 7.4 * font;
   const double title = panel.title.empty() ? gap : 2.2 * font;
   const double wide = 2 * panel.radius_mm, tall = panel.high_mm - panel.low_mm;
@@ -81,17 +81,22 @@ void render_panel(const std::vector<PanelCell> &cells, const std::filesystem::pa
   add_text(page, options::printed("%g mm", scale_mm), {scale.x, scale.y + 0.6 * font, scale.width, 1.4 * font},
            font_size);
 
-  const SectionView view{0, (panel.low_mm + panel.high_mm) / 2, layout.cells.front().height / layout.pixels_per_mm / 2};
-  for (std::size_t k = 0; k < cells.size(); ++k)
+  SectionView view{0, (panel.low_mm + panel.high_mm) / 2, layout.cells.front().height / layout.pixels_per_mm / 2};
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    view.from = cells[k].from;
     add_scene(page, section_scene(cells[k].frame, panel.style, colours, view), layout.cells[k]);
-  write_png(page, path, 52);
+  }
+  write_png(page, path, 52, panel.compression);
 }
 
-void render_section(const PanelCell &cell, const std::string &title, double low_mm, const std::filesystem::path &path) {
+void render_section(const PanelCell &cell, const std::string &title, double low_mm, const std::filesystem::path &path,
+                    Rear rear) {
   SectionPanel panel{.style = {}, .title = title, .low_mm = std::min(low_mm, -38.0), .height = 1200};
+  std::vector<PanelCell> cells{cell};
+  if (rear == Rear::shown) cells.push_back({cell.frame, "from behind, without the projectile", Seen::behind});
   // As wide as the page allows.
-  panel.radius_mm = 0.62 * (panel.high_mm - panel.low_mm);
-  render_panel({cell}, path, panel);
+  panel.radius_mm = (rear == Rear::shown ? 0.31 : 0.62) * (panel.high_mm - panel.low_mm);
+  render_panel(cells, path, panel);
 }
 
 } // namespace draw

@@ -10,10 +10,11 @@
 
 namespace draw {
 
-/// One section of a panel.
+/// One section of a panel, or another view.
 struct PanelCell {
   ogive::Frame frame; ///< what is cut
   std::string label;  ///< one line below the section
+  Seen from = Seen::section;
 };
 
 /// What a panel shows of each section, and how large.
@@ -28,6 +29,8 @@ struct SectionPanel {
   int columns = 0;          ///< 0: up to four, such that the rows are even
   int width = 1600;         ///< pixels at most
   int height = 1800;        ///< pixels at most
+  int font_size = 0;        ///< pixels; 0: by the width
+  int compression = 9;      ///< of the PNG, 1 to 9
 };
 
 /// The places of what a panel shows.
@@ -55,8 +58,12 @@ PanelLayout panel_layout(std::size_t cells, const SectionPanel &panel);
 void render_panel(const std::vector<PanelCell> &cells, const std::filesystem::path &path,
                   const SectionPanel &panel = {});
 
+/// Whether the plate is seen from behind, too.
+enum class Rear { left_out, shown };
+
 /// Draws the section of a run's last frame by plastic strain, with the mesh, from 22 mm in front of the plate down to
-/// `low_mm` at least. Throws as render_panel().
-void render_section(const PanelCell &cell, const std::string &title, double low_mm, const std::filesystem::path &path);
+/// `low_mm` at least, and beside it the plate from behind if that is shown. Throws as render_panel().
+void render_section(const PanelCell &cell, const std::string &title, double low_mm, const std::filesystem::path &path,
+                    Rear rear = Rear::left_out);
 
 } // namespace draw

@@ -33,6 +33,7 @@ int sweep(const options::Arguments &arguments);
 int mesh(const options::Arguments &arguments);
 int materials(const options::Arguments &arguments);
 int draw(const options::Arguments &arguments);
+int view(const options::Arguments &arguments);
 int calibrate(const options::Arguments &arguments);
 
 /// A table by its names alone: there are no values behind it.
@@ -47,11 +48,18 @@ options::Table sweep_table();
 options::Table mesh_table();
 options::Table materials_table();
 options::Table draw_table();
+options::Table view_table();
 options::Table calibrate_table();
 
-/// The options of `ogive shoot`; nothing if help or version were asked for and have been written to `text`. Throws
-/// SetupError.
-std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, std::ostream &text);
+/// The command line of `ogive shoot`.
+struct ShootCommand {
+  shot::Options shot;
+  std::filesystem::path film; ///< of --animate; empty: none
+};
+
+/// Reads the options of `ogive shoot`; nothing for --help and --version, whose answer has been written to `text`.
+/// Throws SetupError.
+std::optional<ShootCommand> parse_shoot(const options::Arguments &arguments, std::ostream &text);
 
 /// Exit statuses, for --help-all.
 extern const char *const exit_statuses;

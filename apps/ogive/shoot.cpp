@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands.hpp"
 
+#include "draw/film.hpp"
 #include "options/exit_status.hpp"
+#include "results.hpp"
 
 #include "shot/files.hpp"
 #include "shot/resume.hpp"
@@ -24,6 +26,7 @@ namespace {
 struct General {
   std::optional<std::string> restart;
   bool resume = false;
+  std::filesystem::path animate;
 };
 
 // clang-format off
@@ -39,15 +42,38 @@ options::Table table_of(shot::Options &o, General &general) {
   options::add(t, general.resume, {.key = "resume", .meaning = "resume from the checkpoint.bin in the folder for "
       "the results, if an interrupted run of this very case left one there; else begin", .source = "no: ours",
       .in_file = false});
+  options::add(t, general.animate, {.key = "animate", .meaning = "draw a film of the run's section; needs ffmpeg",
+      .source = "none: ogive draw --animate draws it later", .allowed = draw::film_names,
+      .in_file = false}).placeholder = "FILE.mp4|webm|gif|apng";
   return t;
 }
 // clang-format on
+
+/// Throws SetupError for a film that cannot be made of a run.
+void check_film(const std::filesystem::path &film, const shot::Options &o) {
+  if (film.empty()) return;
+  const auto refuse = [&](const std::string &allowed) { options::refuse("--animate", film.string(), allowed); };
+  if (!draw::is_film(film)) refuse(std::string("must be ") + draw::film_names);
+  if (!o.vtk) refuse("needs the frames of the run, which --no-vtk leaves out");
+  if (!draw::ffmpeg_available()) refuse("needs ffmpeg, which is not installed or not in PATH (Debian: ffmpeg)");
+}
+
+/// Draws the film of a run. The numbers are complete by then: what cannot be drawn is reported and left out.
+void animate(const std::filesystem::path &film, const shot::Options &o) {
+  try {
+    draw::Film shown;
+    shown.panel.title = case_title(o.out);
+    draw::render_film(ogive::read_series(find_pvd(o.out, "--out")), shown, film);
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "ogive shoot: left out: %s\n", error.what());
+  }
+}
 
 } // namespace
 
 options::Table shoot_table() { return unbound(table_of); }
 
-std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, std::ostream &text) {
+std::optional<ShootCommand> parse_shoot(const options::Arguments &arguments, std::ostream &text) {
   const options::Command command{
       .name = "ogive shoot",
       .purpose =
@@ -66,13 +92,17 @@ std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, st
   const auto line = options::read_command_line(command, table, arguments, text);
   if (!line) return std::nullopt;
   options::Origins origins;
-  for (const char *key : {"restart", "resume"})
+  for (const char *key : {"restart", "resume", "animate"})
     if (const options::Given *given = line->find(key)) options::apply(table, origins, *given);
+  const auto with_film = [&](const shot::Options &o) {
+    check_film(general.animate, o);
+    return std::optional(ShootCommand{o, general.animate});
+  };
   if (general.restart) {
     std::vector<options::Given> given = line->given;
     std::erase_if(given, [&](const options::Given &one) { return origins.contains(one.key); });
     if (line->config) given.insert(given.begin(), {"config", "--config", *line->config});
-    return shot::restarted(*general.restart, given);
+    return with_film(shot::restarted(*general.restart, given));
   }
   const shot::Options o = shot::settled(shot::levels_of(*line));
   std::error_code none;
@@ -80,20 +110,25 @@ std::optional<shot::Options> parse_shoot(const options::Arguments &arguments, st
       options::text_of_file(*line->config, "--config") != shot::case_text(o))
     options::refuse("--config", *line->config,
                     "must not be case.toml in the folder for the results: that is overwritten");
-  if (!general.resume) return o;
+  if (!general.resume) return with_film(o);
   const shot::Resumed resumed = shot::resumed(o);
   if (!resumed.obstacle.empty())
     options::refuse("--resume", o.out.string(),
                     "the checkpoint there cannot be resumed, " + resumed.obstacle +
                         "; give another --out, or leave --resume out to begin anew");
-  return resumed.options;
+  return with_film(resumed.options);
 }
 
 int shoot(const options::Arguments &arguments) {
-  const auto options = parse_shoot(arguments, std::cout);
-  if (!options) return options::success;
-  const shot::SignalCatcher catcher;
-  return shot::run(*options, shot::Output::all).status;
+  const auto command = parse_shoot(arguments, std::cout);
+  if (!command) return options::success;
+  shot::Outcome outcome;
+  {
+    const shot::SignalCatcher catcher;
+    outcome = shot::run(command->shot, shot::Output::all);
+  }
+  if (!command->film.empty() && outcome.shot.interrupted_by == 0) animate(command->film, command->shot);
+  return outcome.status;
 }
 
 } // namespace commands

@@ -3,6 +3,7 @@
 
 #include "defaults.hpp"
 #include "draw/plot.hpp"
+#include "draw/process.hpp"
 #include "draw/section.hpp"
 #include "materials/library.hpp"
 #include "ogive/io/atomic_file.hpp"
@@ -90,6 +91,9 @@ std::string undecided_reason(const Result &s) {
                                                                               : "and its velocity has not settled";
   return options::printed("at %.4g us the projectile moves at %.1f m/s %s", s.simulated_us, last.velocity, what);
 }
+
+/// A section takes some seconds, most of them on a machine without a graphics card.
+constexpr double most_drawing_s = 120;
 
 void add_shape(nlohmann::ordered_json &j, const ogive::PlateShape<double> &shape) {
   j["plug_thickness_mm"] = shape.plug_thickness * 1e3;
@@ -239,10 +243,14 @@ std::string draw(const Options &o, const Result &s, const std::optional<experime
     }
   };
   attempt([&] {
-    char when[64];
-    std::snprintf(when, sizeof when, "%.1f µs, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
+    const auto picture = o.out / "section.png";
+    const std::string when = options::printed("%.1f µs, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
     const double low_mm = std::min(-target_depth_mm(o), -s.flight.samples.back().nose * 1e3) - 14;
-    draw::render_section({s.last_frame, when}, case_title(o, s), low_mm, o.out / "section.png");
+    // Sharp noses leave petals, which a section cuts through.
+    const auto rear = s.flight.sharp ? draw::Rear::shown : draw::Rear::left_out;
+    draw::draw_apart(picture, most_drawing_s, [&] {
+      draw::render_section({s.last_frame, when}, case_title(o, s), low_mm, picture, rear);
+    });
   });
   attempt([&] {
     draw::VelocityPlot plot{case_title(o, s), {{o.out / "history.csv"}}};
@@ -289,6 +297,8 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
               ns_per_particle_step(s), peak_memory_mb());
   std::printf("  %-22s %s\n", "shares", shares(s).c_str());
   std::printf("  %-22s %s\n", "files", o.out.string().c_str());
+  // The pictures come next; who reads through a pipe need not wait for them.
+  std::fflush(stdout);
 }
 
 } // namespace shot

@@ -2,6 +2,7 @@
 
 import math
 import os
+import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree as xml
@@ -74,14 +75,19 @@ class Campaign:
                      "--out", model, stdout=subprocess.DEVNULL)
         self.draw(5, [], "--mesh", model)
 
-    def draw(self, number, shots, *options):
+    def film(self, number, shot, *options):
+        """Draws a shot as a film where there is ffmpeg."""
+        if shutil.which("ffmpeg"):
+            self.draw(number, [shot], *options, flag="--animate", ending="webm")
+
+    def draw(self, number, shots, *options, flag="--out", ending="png"):
         """Draws a figure unless it is newer than the series."""
-        picture = self.figures / f"figure_{number}.png"
+        picture = self.figures / f"figure_{number}.{ending}"
         if picture.exists() and all(shot.series.stat().st_mtime <= picture.stat().st_mtime for shot in shots):
             return
         self.figures.mkdir(parents=True, exist_ok=True)
         series = ["--series", *(shot.folder for shot in shots)] if shots else []
-        self.attempt(picture, self.programs / "ogive", "draw", *series, *options, "--out", picture)
+        self.attempt(picture, self.programs / "ogive", "draw", *series, *options, flag, picture)
         if picture.exists():
             print(f"figure: {picture}")
 
@@ -97,10 +103,11 @@ class Campaign:
 
         steel_10, steel_6 = shot("weldox_460e", "blunt", 10, 180), shot("weldox_460e", "blunt", 6, 160)
         if steel_10.is_there(f"7{suffix}"):
-            options = [*at([steel_10], (0, 10, 20, 30, 40, 50, 60, 80)), "--title",
-                       f"Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s{text}"]
+            title = ["--title", f"Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s{text}"]
+            options = [*at([steel_10], (0, 10, 20, 30, 40, 50, 60, 80)), *title]
             self.draw(f"7{suffix}", [steel_10], *options)
             self.draw(f"7_temperature{suffix}", [steel_10], "--colour", "temperature", *options)
+            self.film(f"7{suffix}", steel_10, *title)
         if all([steel_6.is_there(f"8{suffix}"), steel_10.is_there(f"8{suffix}")]):
             both, frames = [steel_6, steel_10], times([steel_6, steel_10], (0, 15, 30, 45, 60))
             labels = [f"{plate}, {time} µs" for plate in ("(a) 6 mm", "(b) 10 mm") for time in frames]
@@ -113,8 +120,9 @@ class Campaign:
                       "--columns", 3, "--times-us", "last", "--title", f"Fig. 10: Weldox 460 E, blunt, last frame{text}")
         aluminium = shot("aa5083_h116", "conical", 15, 214)
         if aluminium.is_there(f"14{suffix}"):
-            self.draw(f"14{suffix}", [aluminium], *at([aluminium], (0, 40, 80, 120, 160, 200, 280, 360)), "--title",
-                      f"Fig. 14: 15 mm AA5083-H116, conical, 214 m/s{text}")
+            title = ["--title", f"Fig. 14: 15 mm AA5083-H116, conical, 214 m/s{text}"]
+            self.draw(f"14{suffix}", [aluminium], *at([aluminium], (0, 40, 80, 120, 160, 200, 280, 360)), *title)
+            self.film(f"14{suffix}", aluminium, *title)
 
 
 def make_figures(quick, page_only, published, method, jobs):

@@ -1,4 +1,4 @@
-# Runs ogive draw with bad input: each must end with status 2, one line on stderr, nothing on stdout, and no new file.
+# Runs ogive draw, ogive view and ogive shoot --animate with bad input: each must end with status 2, one line on stderr, nothing on stdout, and no new file.
 # Needs
 # -D OGIVE=<the program>.
 
@@ -17,8 +17,8 @@ include("${CMAKE_CURRENT_LIST_DIR}/refused.cmake")
 
 set(draw "${OGIVE};draw")
 set(out --out a.png)
-refuses("${draw}" "--series, --velocity, --projectiles, --mesh: one is required" ${out})
-refuses("${draw}" "--series, --velocity, --projectiles, --mesh: only one may be given" --mesh two --projectiles ${out})
+refuses("${draw}" "--series, --velocity, --compare, --projectiles, --mesh: one is required" ${out})
+refuses("${draw}" "--series, --velocity, --compare, --projectiles, --mesh: only one may be given" --mesh two --projectiles ${out})
 refuses("${draw}" "--out: is required" --mesh two)
 refuses("${draw}" "--out = a.svg: must be the name of a .png file" --mesh two --out a.svg)
 refuses("${draw}" "--columns: belongs to --series, not to --projectiles" --projectiles --columns 2 ${out})
@@ -44,6 +44,33 @@ refuses("${draw}" "--columns = 1.5: must be a whole number" --series listing.pvd
 refuses("${draw}" "--colour = heat: must be one of plastic_strain, temperature" --series listing.pvd --colour heat ${out})
 refuses("${draw}" "--range = 2,1: must be two numbers" --series listing.pvd --range 2,1 ${out})
 refuses("${draw}" "--view-mm = -40,22: must be three numbers" --series listing.pvd --view-mm -40,22 ${out})
+
+refuses("${draw}" "--compare = 1 folders: must be two folders with a summary.json" --compare two --out new)
+refuses("${draw}" "--out: is required: a folder" --compare two empty)
+refuses("${draw}" "two/summary.json" --compare two empty --out new)
+refuses("${draw}" "--animate = a.avi: must be the name of a .mp4, .webm, .gif or .apng file" --series two --animate a.avi)
+refuses("${draw}" "--out: belongs to a picture, --animate names the film" --series two --animate a.gif ${out})
+refuses("${draw}" "--series = 2 series: must be one for a film" --series two empty --animate a.gif)
+refuses("${draw}" "--columns, --label, --times-us: belong to a picture" --series two --animate a.gif --columns 2)
+refuses("${draw}" "--animate: belongs to --series, not to --mesh" --mesh two --animate a.gif)
+refuses("${draw}" "--pixels = 50: must be a whole number between 200 and 8000" --series two --pixels 50 ${out})
+refuses("${draw}" "--from = left: must be one of section, oblique, behind" --series two --from left ${out})
+set(shoot "${OGIVE};shoot")
+refuses("${shoot}" "--animate = a.png: must be the name of a .mp4, .webm, .gif or .apng file" --animate a.png --out new)
+refuses("${shoot}" "--animate = a.gif: needs the frames of the run" --animate a.gif --no-vtk --out new)
+set(ENV{PATH} "${folder}")
+refuses("${shoot}" "--animate = a.gif: needs ffmpeg, which is not installed or not in PATH (Debian: ffmpeg)" --animate a.gif
+        --out new)
+
+set(view "${OGIVE};view")
+refuses("${view}" "RESULT: one is required" --out a.html)
+refuses("${view}" "RESULT: one is required" two empty)
+refuses("${view}" "RESULT = empty: must be a folder with a .pvd file" empty)
+refuses("${view}" "RESULT = two: must be a folder with one .pvd file" two)
+refuses("${view}" "--out = a.png: must be the name of a .html file" listing.pvd ${out})
+refuses("${view}" "--frames = 0: must be a whole number between 1 and 1000" listing.pvd --frames 0)
+refuses("${view}" "none/three.min.js: must be a file that can be read, of three.js (Debian: libjs-three)" listing.pvd --three-js
+        none)
 
 refuses("${draw}" "--range = 1,two: must be two numbers" --series listing.pvd --range 1,two ${out})
 refuses("${draw}" "--view-mm = 22,-40,28: must be three numbers" --series listing.pvd --view-mm 22,-40,28 ${out})

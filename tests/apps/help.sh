@@ -13,7 +13,7 @@ fail() {
   exit 1
 }
 
-commands=(shoot limit sweep mesh calibrate draw materials)
+commands=(shoot limit sweep mesh calibrate draw view materials)
 
 echo "ogive alone: every command and three examples"
 help=$("$ogive") || fail "status $?"

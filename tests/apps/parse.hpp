@@ -11,7 +11,8 @@
 
 /// The options of a command line without the program's name; nothing if text was asked for.
 inline std::optional<shot::Options> parse(const std::vector<const char *> &arguments, std::ostream &text) {
-  return commands::parse_shoot({arguments.begin(), arguments.end()}, text);
+  const auto command = commands::parse_shoot({arguments.begin(), arguments.end()}, text);
+  return command ? std::optional(command->shot) : std::nullopt;
 }
 
 inline shot::Options options_of(const std::vector<const char *> &arguments) {

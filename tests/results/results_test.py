@@ -439,6 +439,12 @@ class Figures(unittest.TestCase):
         patch = mock.patch.object(figures.Campaign, "attempt", lambda _, *command, **__: self.commands.append(command))
         patch.start()
         self.addCleanup(patch.stop)
+        self.find_ffmpeg("/usr/bin/ffmpeg")
+
+    def find_ffmpeg(self, place):
+        patch = mock.patch.object(figures.shutil, "which", lambda _: place)
+        patch.start()
+        self.addCleanup(patch.stop)
 
     def leave(self, name, *times):
         folder = self.folder / "shots" / name
@@ -455,9 +461,11 @@ class Figures(unittest.TestCase):
             self.campaign.pictures("adaptive")
         drawn = [list(map(str, command)) for command in self.commands]
         self.assertEqual([Path(command[0]).name for command in drawn], [
-            "figure_7_adaptive.png", "figure_7_temperature_adaptive.png", "figure_8_adaptive.png"])
+            "figure_7_adaptive.png", "figure_7_temperature_adaptive.png", "figure_7_adaptive.webm", "figure_8_adaptive.png"])
         self.assertEqual(drawn[0][2:7], ["draw", "--series", str(thick), "--times-us", "0,10,20,30,40"])
-        self.assertEqual(drawn[2][2:13], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
+        self.assertEqual(drawn[2][2:6], ["draw", "--series", str(thick), "--title"])
+        self.assertEqual(drawn[2][7:8], ["--animate"])
+        self.assertEqual(drawn[3][2:13], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
                                           "(a) 6 mm, 0 µs", "(a) 6 mm, 15 µs", "(a) 6 mm, 30 µs", "(b) 10 mm, 0 µs"])
         self.assertIn("figure 14_adaptive is left out: no shot with frames", said.getvalue())
 
@@ -465,6 +473,7 @@ class Figures(unittest.TestCase):
         self.leave("mjc_aa5083_h116_conical_15mm_214mps_0.6mm", 0, 400)
         picture = self.folder / "figure_14.png"
         picture.touch()
+        self.find_ffmpeg(None)
         for age, commands in ((-100, 1), (100, 1)):
             series = (self.folder / "shots/mjc_aa5083_h116_conical_15mm_214mps_0.6mm/perforation.pvd").stat().st_mtime
             os.utime(picture, (series + age, series + age))

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ogive/io/read_frame.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// \file
+/// A result as one HTML file that a browser opens from disk: the frames in three dimensions, with the time.
+
+namespace view {
+
+/// The projectile's velocity against time.
+struct Velocity {
+  std::vector<double> time_us;
+  std::vector<double> velocity_mps;
+};
+
+/// The columns time_us and velocity_m_per_s of a history.csv, of at most 400 rows at even distances. Throws SetupError.
+Velocity read_velocity(const std::filesystem::path &history);
+
+/// What a page shows.
+struct Result {
+  std::string title;
+  ogive::StoredSeries series;
+  std::optional<ogive::SymmetryPlanes> symmetry; ///< of files that do not hold it
+  std::vector<std::string> fields;               ///< empty: those of default_fields() that all parts have
+  int most_frames = 20;                          ///< of a longer series some are left out, at even distances
+  Velocity velocity;                             ///< may be empty
+};
+
+/// The fields of a page for which nobody chose others.
+const std::vector<std::string> &default_fields();
+
+/// The HTML of a result. `three` is the folder of three.js, with three.min.js and
+/// examples/js/controls/OrbitControls.js. Throws SetupError if frames or three.js cannot be read.
+std::string page(const Result &result, const std::filesystem::path &three);
+
+} // namespace view

@@ -1,0 +1,17 @@
+# The page of `ogive view`. Its texts are compiled in, so that the program needs no files of its own where it runs.
+function(ogive_page_text name)
+  set(text "")
+  foreach(file IN LISTS ARGN)
+    file(READ "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/page/${file}" part)
+    string(APPEND text "${part}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/page/${file}")
+  endforeach()
+  set(assets "${assets}const std::string_view ${name} = R\"~page~(${text})~page~\";\n" PARENT_SCOPE)
+endfunction()
+set(assets "// Made of apps/view/page.\n#include \"view/assets.hpp\"\n\nnamespace view::assets {\n\n")
+ogive_page_text(html page.html)
+ogive_page_text(css page.css)
+ogive_page_text(script colours.js data.js spheres.js hexes.js stage.js pick.js curve.js page.js)
+file(CONFIGURE OUTPUT view_assets.cpp CONTENT "${assets}\n} // namespace view::assets\n" @ONLY)
+ogive_app_library(ogive_view SOURCES view/*.cpp "${CMAKE_CURRENT_BINARY_DIR}/view_assets.cpp" LIBRARIES ogive_draw
+                  VTK::IOCore nlohmann_json::nlohmann_json)
