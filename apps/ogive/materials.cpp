@@ -67,7 +67,8 @@ int materials(const options::Arguments &arguments) {
       const auto metal = ::materials::read(name, "check");
       std::cout << name << ": " << ::materials::name_of(metal) << ", model "
                 << ::materials::name_of(::materials::model_of(metal)) << ", is a metal for --material\n";
-      for (const std::string &doubt : ::materials::doubts_of(metal)) std::cout << "warning: " << doubt << "\n";
+      for (const std::string &doubt : ::materials::doubts_of_flow(metal)) std::cout << "warning: " << doubt << "\n";
+      for (const std::string &doubt : ::materials::doubts_of_damage(metal)) std::cout << "warning: " << doubt << "\n";
     }
   return options::success;
 }
