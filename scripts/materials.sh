@@ -22,4 +22,4 @@ value() { sed -n "s/^$1 = \"\(.*\)\"\( *#.*\)\?\$/\1/p"; }
     printf 'Source: %s.\n\nConfidence: %s.\n\n' "$(value source <<<"$file")" "$(value confidence <<<"$file")"
     printf '![Flow curves and failure strain of %s](materials/%s.svg)\n\n' "$name" "$name"
   done
-} | "$root/scripts/results.sh" insert "$root/docs/materials.md" 'metals: scripts/materials.sh'
+} | "$root/scripts/results.sh" insert "$root/docs/materials.md" --mark 'tables: scripts/materials.sh'

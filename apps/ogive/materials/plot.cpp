@@ -72,8 +72,8 @@ template <class M> Panel flow_panel(const M &metal, const std::string &title) {
   Panel panel{.title = title,
               .x = "plastic strain",
               .y = "flow stress / MPa",
-              .settings = "set key bottom right; set xrange [0:1]; set xtics 0.25; set yrange [0:*]"};
-  constexpr int points = 40;
+              .settings = "set key bottom right opaque; set xrange [0:1]; set xtics 0.5; set grid noxtics; set yrange [0:*]"};
+  constexpr int points = 32;
   for (int k = 0; k <= points; ++k) panel.abscissa.push_back(double(k) * k / (points * points));
   const double room = metal.room_temperature, warm = warm_temperature(metal);
   const auto add = [&](const std::string &name, const std::string &look, double rate, double temperature, bool heats) {
@@ -89,7 +89,7 @@ template <class M> Panel flow_panel(const M &metal, const std::string &title) {
 }
 
 /// Plastic strain at which Cockcroft and Latham's work is used up at a constant triaxiality, in stress states with one
-/// axis of symmetry, at the smallest rate and room temperature; `most` if later.
+/// axis of symmetry, at the smallest rate and room temperature; infinite beyond `most`.
 template <class M> double strain_of_work(const M &metal, double triaxiality, double most) {
   constexpr int steps = 1000;
   const double ratio = std::max(0.0, triaxiality + 2.0 / 3), step = most / steps; // largest principal over equivalent
@@ -98,17 +98,19 @@ template <class M> double strain_of_work(const M &metal, double triaxiality, dou
     work += ratio * flow_stress(metal, (k + 0.5) * step, metal.rate_floor, metal.room_temperature).value * step;
     if (work >= metal.damage.critical_work) return (k + 1) * step;
   }
-  return most;
+  return std::numeric_limits<double>::infinity();
 }
 
 template <class M> Panel failure_panel(const M &metal) {
   constexpr double most = 3;
-  Panel panel{.title = "failure strain",
-              .x = "triaxiality",
-              .y = "plastic strain at failure",
-              .settings = options::printed(
-                  "set key top right; set xrange [-0.4:2]; set xtics 0.5; set ytics 1; set yrange [0:%g]", most)};
-  for (int k = 0; k <= 40; ++k) panel.abscissa.push_back(-0.4 + 0.06 * k);
+  Panel panel{
+      .title = "failure strain",
+      .x = "triaxiality",
+      .y = "plastic strain at failure",
+      .settings = options::printed(
+          "set key top right opaque; set xrange [-0.4:2]; set xtics 0.5; set grid noxtics; set ytics 1; set yrange [0:%g]",
+          most)};
+  for (int k = 0; k <= 32; ++k) panel.abscissa.push_back(-0.4 + 0.075 * k);
   const auto add = [&](const std::string &title, const std::string &look, auto &&strain) {
     panel.columns.push_back({title, look, {}});
     for (const double triaxiality : panel.abscissa)
