@@ -87,15 +87,16 @@ ogive::Elasticity<double> elasticity_of(const Card &card, Units units, Imported 
 void set_temperatures(Metal &m, const Card &card, Imported &all) {
   constexpr double zero_celsius = 273.15, warmest_celsius = 150, hottest = 1e4;
   const bool melts = is_given(card.melting) && card.melting->value < hottest;
-  const bool in_celsius =
-      card.room && card.room->value > -100 && card.room->value < warmest_celsius && (melts || is_given(card.room));
+  // Two zeros are how cards leave the temperatures out.
+  const bool has_room = card.room && (melts || is_given(card.room));
+  const bool in_celsius = has_room && card.room->value > -100 && card.room->value < warmest_celsius;
   const double shift = in_celsius ? zero_celsius : 0;
-  if (card.room) m.room_temperature = card.room->value + shift;
+  if (has_room) m.room_temperature = card.room->value + shift;
   if (melts) m.melting_temperature = card.melting->value + shift;
   if (in_celsius)
     all.notes.push_back("temperatures: in degrees Celsius, because of " + text_of(*card.room, "") +
                         "; 273.15 was added");
-  if (!card.room) all.notes.emplace_back("room temperature: 293 K, the card has none");
+  if (!has_room) all.notes.emplace_back("room temperature: 293 K, the card has none");
   if (melts) return;
   m.melting_temperature = hottest, m.flow.m = 1;
   all.notes.emplace_back("melting temperature: the card has none below 10000; the temperature has no effect");
@@ -113,8 +114,13 @@ void set_flow(Metal &m, const Card &card, Units units, Imported &all, const std:
     return is_given(number) ? number->value : otherwise;
   };
   m.flow.A = si(needed(card.A, "the yield stress A", card, file), power_of_stress(units));
-  if (is_given(card.B)) m.flow.B = si(*card.B, power_of_stress(units));
-  m.flow.n = value(card.n, 1), m.flow.C = value(card.C, 0), m.flow.m = value(card.m, 1);
+  m.flow.n = 1;
+  if (is_given(card.B)) {
+    m.flow.B = si(*card.B, power_of_stress(units));
+    m.flow.n = needed(card.n, "the exponent n of the hardening B", card, file).value;
+  }
+  m.flow.C = value(card.C, 0), m.flow.m = value(card.m, 1);
+  if (!is_given(card.m) && is_given(card.melting)) all.notes.emplace_back("m: 1, the card has none");
   if (m.flow.C == 0) {
     all.notes.emplace_back("rate: C is zero, the flow stress has no effect of it");
     return;

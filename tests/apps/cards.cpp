@@ -147,6 +147,10 @@ TEST_CASE("a card may be written in every way and unit") {
   const auto celsius = metal_in(replaced(replaced(ls_dyna(), "1793.", "1520."), "293.", " 20."));
   CHECK(celsius.room_temperature == Approx(293.15));
   CHECK(celsius.melting_temperature == Approx(1793.15));
+  // Temperatures that are left out, by two zeros.
+  const auto cold = metal_in(replaced(abaqus(), "1.03, 1793., 293.", "1.03, 0., 0."));
+  CHECK(cold.room_temperature == 293);
+  CHECK(cold.melting_temperature == 1e4);
   // Without heat and rate: neutral.
   const auto plain = metal_in("*MAT_15\n1,7830,,2e11,.3\n5e8,0,0,0,0,0,0,0\n");
   CHECK(plain.flow.C == 0);
@@ -182,6 +186,8 @@ TEST_CASE("what is wrong on a card is refused with its line") {
          "my.card:6: B = 510 0.2: must be one number: the columns do not fit");
   starts(replaced(ls_dyna(), "     510.", "\t510."), "my.card:6: has a tab, with which columns cannot be counted");
   starts(replaced(ls_dyna(), "792.", "   0"), "my.card:2: LS-DYNA *MAT_JOHNSON_COOK lacks the yield stress A");
+  starts(replaced(ls_dyna(), "0.26", "    "),
+         "my.card:2: LS-DYNA *MAT_JOHNSON_COOK lacks the exponent n of the hardening B");
   starts(replaced(ls_dyna(), "1793.", " 200."), "my.card:2: LS-DYNA *MAT_JOHNSON_COOK: ");
   starts("*MAT_JOHNSON_COOK\n1,7.83e-9\n", "my.card:1: has 1 of its cards, at least 2 are needed");
   starts(ls_dyna() + ls_dyna(),

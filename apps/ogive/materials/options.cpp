@@ -21,7 +21,7 @@ constexpr auto actions = options::named<Action>({{Action::list, "list"},
                                                  {Action::import, "import"},
                                                  {Action::from_tensile, "from-tensile"}});
 
-/// The actions of an option; those of `group` are in the table of options.
+/// Whether an option is one of the action's.
 bool belongs(const options::Option &option, Action action) {
   const std::string_view key = option.key;
   if (option.group == "Mill certificate") return action == Action::from_tensile;
