@@ -6,7 +6,8 @@
 namespace ogive {
 
 /// Power law beyond yield with the factors of Johnson & Cook: sigma = Y (E eps/Y)^n f(rate) [1 - T*^m], where eps is
-/// the total strain, plastic strain and Y-to-n elastic strain together. Three numbers of a tensile test give it.
+/// the total strain of slow tension, plastic strain and the elastic strain sigma/E. Three numbers of a tensile test
+/// give it, see fit/tensile_numbers.hpp.
 template <class T> struct PowerLaw {
   T yield{};                       ///< Y, Pa
   T modulus{};                     ///< E, Pa: Young's modulus of the metal
@@ -15,7 +16,7 @@ template <class T> struct PowerLaw {
 };
 
 /// Hardening Y (E eps/Y)^n of a plastic strain, Pa. The total strain has the elastic strain sigma/E in it, so that s =
-/// sigma/Y solves s = (E eps_p/Y + s)^n: two steps of Newton's method from (1 + E eps_p/Y)^n, good to 1e-7 for n up to
+/// sigma/Y solves s = (E eps_p/Y + s)^n: two steps of Newton's method from (1 + E eps_p/Y)^n, good to 2e-6 for n up to
 /// 0.6.
 template <class T, class N> PowerHardening<N> total_strain_hardening(const PowerLaw<T> &law, N plastic_strain) {
   using std::pow;
@@ -30,8 +31,7 @@ template <class T, class N> PowerHardening<N> total_strain_hardening(const Power
 }
 
 /// The power law of Boervik, Forrestal & Warren 2010 (Exp. Mech. 50:969) and of Ryan et al. 2023, with the factors of
-/// Johnson & Cook 1983. A call of its own: as a part
-/// of the return map it would slow down compiling and running of the other laws.
+/// Johnson & Cook 1983. A call of its own: as a part of the return map it would make that longer for all laws.
 template <class T, class N>
 [[gnu::noinline]] FlowStress<N> flow_stress(const PowerLaw<T> &law, N plastic_strain, N rate, N temperature,
                                             const ReferenceTemperatures<T> &reference) {

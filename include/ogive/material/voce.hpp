@@ -16,9 +16,8 @@ template <class T> struct Voce {
   JohnsonCookFactors<T> factors{}; ///< of rate and temperature
 };
 
-/// Voce's law with the rate factor and the thermal factor of Johnson & Cook 1983 (in this form Boervik, Forrestal &
-/// Warren and others use it for plates of aluminium). A call of its own: as a part
-/// of the return map it would slow down compiling and running of the other laws.
+/// Voce's law with the rate factor and the thermal factor of Johnson & Cook 1983. A call of its own: as a part of the
+/// return map it would make that longer for all laws.
 template <class T, class N>
 [[gnu::noinline]] FlowStress<N> flow_stress(const Voce<T> &law, N plastic_strain, N rate, N temperature,
                                             const ReferenceTemperatures<T> &reference) {
