@@ -35,9 +35,10 @@ if(TARGET ogive_main)
   endif()
 endif()
 
-# Where the programs look for the tests that shots are compared with, and for the lists of the figures.
+# Where the programs look for the tests that shots are compared with, for the lists of the figures and for metals.
 file(GLOB tables apps/data/*.csv)
 install(FILES ${tables} apps/data/README.md DESTINATION "${CMAKE_INSTALL_DATADIR}/ogive/data")
+install(DIRECTORY apps/data/metals DESTINATION "${CMAKE_INSTALL_DATADIR}/ogive/data" FILES_MATCHING PATTERN "*.toml")
 
 set(doc_dir "${CMAKE_INSTALL_DATADIR}/doc/ogive")
 install(FILES CHANGELOG.md CITATION.cff README.md DESTINATION "${doc_dir}")

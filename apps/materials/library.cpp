@@ -2,6 +2,7 @@
 #include "library.hpp"
 
 #include "material_keys.hpp"
+#include "options/data_folder.hpp"
 
 #include "ogive/material/library.hpp"
 
@@ -9,7 +10,6 @@ namespace materials {
 
 namespace {
 
-using options::broken;
 namespace library = ogive::library;
 
 AnyMetal weldox_460e(Model model) {
@@ -25,9 +25,35 @@ AnyMetal aa5083_h116_25mm(Model model) {
   return model == Model::jc ? aa5083_h116(model) : library::aa5083_h116_mjc<double>(0.85);
 }
 
-constexpr auto metals = std::to_array<LibraryMetal>({{"weldox_460e", "Weldox 460 E", 0.08, weldox_460e},
-                                                     {"aa5083_h116", "AA5083-H116", 0.02, aa5083_h116},
-                                                     {"aa5083_h116_25mm", "AA5083-H116", 0.02, aa5083_h116_25mm}});
+/// Coulomb friction of noses that are not blunt, by the paper: on steel, and on aluminium. Other metals have none that
+/// is known; those heavier than aluminium get that of steel.
+constexpr double steel = 0.08, aluminium = 0.02;
+
+constexpr auto metals = std::to_array<LibraryMetal>({{"weldox_460e", "Weldox 460 E", steel, weldox_460e},
+                                                     {"aa5083_h116", "AA5083-H116", aluminium, aa5083_h116},
+                                                     {"aa5083_h116_25mm", "AA5083-H116", aluminium, aa5083_h116_25mm},
+                                                     {"weldox_500e", "Weldox 500 E", steel},
+                                                     {"weldox_700e", "Weldox 700 E", steel},
+                                                     {"weldox_900e", "Weldox 900 E", steel},
+                                                     {"hardox_400", "Hardox 400", steel},
+                                                     {"armox_500t", "Armox 500T", steel},
+                                                     {"armox_560t", "Armox 560T", steel},
+                                                     {"domex_protect_500", "Domex Protect 500", steel},
+                                                     {"mild_steel", "Mild steel", steel},
+                                                     {"steel_1006", "Steel 1006", steel},
+                                                     {"steel_4340", "Steel 4340", steel},
+                                                     {"armco_iron", "Armco iron", steel},
+                                                     {"aa2024_t351", "AA2024-T351", aluminium},
+                                                     {"aa6061_t6", "AA6061-T6", aluminium},
+                                                     {"aa6061_t651", "AA6061-T651", aluminium},
+                                                     {"aa6082_t6", "AA6082-T6", aluminium},
+                                                     {"aa7039", "AA7039", aluminium},
+                                                     {"aa7075_t651", "AA7075-T651", aluminium},
+                                                     {"ti_6al_4v", "Ti-6Al-4V", steel},
+                                                     {"ofhc_copper", "OFHC copper", steel},
+                                                     {"cartridge_brass", "Cartridge brass", steel},
+                                                     {"gilding_metal", "Gilding metal", steel},
+                                                     {"lead", "Lead", steel}});
 
 /// A metal with the name that the user knows it by.
 AnyMetal made(const LibraryMetal &entry, Model model) {
@@ -36,22 +62,18 @@ AnyMetal made(const LibraryMetal &entry, Model model) {
   return any;
 }
 
-/// The constants of a group, or of all but damage.
-template <class M> std::string constants(const M &metal, std::initializer_list<Group> groups) {
-  std::vector<std::string> texts;
-  for_each_key(metal, [&]<class V>(const Key &key, const V &value) {
-    if (std::find(groups.begin(), groups.end(), key.group) == groups.end() || !has(metal, key.group)) return;
-    if constexpr (!std::is_same_v<V, std::string> && !std::is_same_v<V, Model>)
-      texts.push_back(std::string(key.name) + "=" + text_of(key, value));
-  });
-  return options::joined(texts);
+/// "Johnson-Cook", "W_cr", both or a dash.
+std::string damage_of(const AnyMetal &metal) {
+  std::vector<std::string> laws;
+  if (has(metal, Group::strain)) laws.emplace_back("D1-D5");
+  if (has(metal, Group::work)) laws.emplace_back("W_cr");
+  return laws.empty() ? "-" : options::joined(laws);
 }
 
-template <class M> std::string described(const M &metal, const std::string &title) {
-  std::string text = broken("  " + title + ": ", metal.source, 4);
-  text += broken("    ", constants(metal, {Group::always, Group::shock}), 4);
-  const std::string damage = constants(metal, {Group::strain, Group::work});
-  return text + broken("    ", damage.empty() ? "no constants of damage" : "damage: " + damage, 4);
+/// A row of the list.
+std::string row(const std::string &name, const std::string &laws, const std::string &damage, const std::string &how) {
+  const std::string start = options::printed("%-18s %-10s %-12s ", name.c_str(), laws.c_str(), damage.c_str());
+  return options::broken(start, how, start.size());
 }
 
 } // namespace
@@ -70,7 +92,16 @@ std::vector<std::string> library_names() {
 
 bool is_material_file(std::string_view material) { return material.ends_with(".toml"); }
 
-std::string allowed_materials() { return "one of " + options::names_in(metals) + ", or a file that ends in .toml"; }
+bool has_own_model(std::string_view material) {
+  const LibraryMetal *metal = find_library_metal(material);
+  return metal == nullptr || metal->make == nullptr;
+}
+
+std::filesystem::path file_of(const LibraryMetal &metal) {
+  return options::data_folder() / "metals" / (std::string(metal.name) + ".toml");
+}
+
+std::string allowed_materials() { return "a metal that ogive materials lists, or a file that ends in .toml"; }
 
 std::string label_of(const std::string &material) {
   return is_material_file(material) ? std::filesystem::path(material).stem().string() : material;
@@ -78,24 +109,21 @@ std::string label_of(const std::string &material) {
 
 AnyMetal find_metal(const std::string &material, Model model, const std::string &origin) {
   const LibraryMetal *metal = find_library_metal(material);
-  return metal == nullptr ? read(material, origin) : made(*metal, model);
-}
-
-std::string described(const AnyMetal &any) {
-  return std::visit([&](const auto &metal) { return described(metal, name_of(model_of(any))); }, any);
+  if (metal == nullptr) return read(material, origin);
+  return metal->make == nullptr ? read(file_of(*metal), origin) : made(*metal, model);
 }
 
 std::string library_list() {
   std::string text =
-      "Metals for --material. A file of your own has the same keys: change a copy of the material.toml in a\n"
-      "folder of results. Damage is off unless --damage or --method chooses it.\n";
+      "Metals for --material. \"ogive materials show NAME\" prints constants and sources, as a file to copy.\n\n" +
+      row("name", "flow law", "damage", "confidence");
   for (const LibraryMetal &entry : metals) {
-    text += "\n" + std::string(entry.name) + "\n";
-    for (const auto &model : models) text += described(made(entry, model.value));
+    const AnyMetal metal = find_metal(std::string(entry.name), Model::mjc, "list");
+    const std::string laws = entry.make == nullptr ? name_of(model_of(metal)) : "mjc, jc";
+    const std::string how = std::visit([](const auto &m) { return m.confidence; }, metal);
+    text += row(std::string(entry.name), laws, damage_of(metal), how.substr(0, how.find(':')));
   }
-  const auto projectile = library::arne_tool_steel<double>();
-  return text + "\n" + projectile.name + ", of the projectiles, not for --material\n" +
-         described(projectile, "bilinear");
+  return text + "\nWhat is from memory has low confidence: check it against its source before you rely on it.\n";
 }
 
 } // namespace materials

@@ -12,10 +12,10 @@ namespace materials {
 
 /// A metal of the library.
 struct LibraryMetal {
-  std::string_view name;      ///< as the user writes it
-  std::string_view test_name; ///< in the tables of tests
-  double sharp_friction = 0;  ///< Coulomb, for noses that are not blunt
-  AnyMetal (*make)(Model model);
+  std::string_view name;                   ///< as the user writes it
+  std::string_view title;                  ///< the name of the trade, also in the tables of tests
+  double sharp_friction = 0;               ///< Coulomb, for noses that are not blunt
+  AnyMetal (*make)(Model model) = nullptr; ///< null: it is in a file of the data folder, which has its model
 };
 
 /// The metal of the library with this name; null if there is none.
@@ -27,20 +27,24 @@ std::vector<std::string> library_names();
 /// True if the user means a file: its name ends in .toml.
 bool is_material_file(std::string_view material);
 
-/// "one of <names>, or a file that ends in .toml"
+/// True if the material has one flow law, which the user cannot choose: a file, or a metal of the library that is in
+/// one.
+bool has_own_model(std::string_view material);
+
+/// The file of a metal of the library that is in one.
+std::filesystem::path file_of(const LibraryMetal &metal);
+
+/// "a metal that ogive materials lists, or a file that ends in .toml"
 std::string allowed_materials();
 
 /// Name of the material in the name of a folder: of a file its stem.
 std::string label_of(const std::string &material);
 
-/// A metal as its constants are, with nothing chosen; one of the library with this flow law. Throws SetupError;
-/// `origin` is the flag, or file, line and key, that names the file.
+/// A metal as its constants are, with nothing chosen; one of the library with this flow law where it can have several.
+/// Throws SetupError; `origin` is the flag, or file, line and key, that names the file.
 AnyMetal find_metal(const std::string &material, Model model, const std::string &origin);
 
-/// The constants and the source of a metal, in lines of at most 100 columns.
-std::string described(const AnyMetal &metal);
-
-/// The same for all metals of the library with both laws, and for the steel of the projectiles.
+/// A line for each metal of the library, at most 100 columns: name, flow laws, constants of damage, confidence.
 std::string library_list();
 
 } // namespace materials

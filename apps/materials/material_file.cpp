@@ -4,6 +4,8 @@
 #include "material_keys.hpp"
 #include "options/toml_file.hpp"
 
+#include "ogive/material/doubts.hpp"
+
 #include <unordered_set>
 
 namespace materials {
@@ -39,8 +41,9 @@ template <class M> Misfits find_misfits(const M &metal, const std::vector<Given>
   // Without an effect of the rate there is no rate that it refers to.
   const Given *C = find(entries, "C");
   const bool no_rate = C != nullptr && options::number_from(C->value) == 0.0;
+  const auto is_of_rate = [](std::string_view key) { return key == "reference_rate_per_s" || key == "rate_factor"; };
   for_each_key(metal, [&](const Key &key, const auto &) {
-    const bool needed = key.required && !(no_rate && key.name == std::string_view("reference_rate_per_s"));
+    const bool needed = key.required && !(no_rate && is_of_rate(key.name));
     if (needed && group_is_given(key.group) && find(entries, key.name) == nullptr)
       misfits.missing.emplace_back(key.name);
   });
@@ -90,12 +93,33 @@ template <class M> std::string keys_of(const M &metal) {
   return "its keys are " + needed + "; optional are " + optional + ", with + between those that belong together";
 }
 
-/// Refuses a file without a model: names what either model would miss or not know.
+/// Calls f(metal) with an empty metal of the model's type.
+template <class F> AnyMetal with_model(Model model, F &&f) {
+  switch (model) {
+  case Model::mjc:
+    return f(std::variant_alternative_t<0, AnyMetal>{});
+  case Model::jc:
+    return f(std::variant_alternative_t<1, AnyMetal>{});
+  case Model::voce:
+    return f(std::variant_alternative_t<2, AnyMetal>{});
+  case Model::power_law:
+    break;
+  }
+  return f(std::variant_alternative_t<3, AnyMetal>{});
+}
+
+/// Refuses a file without a model: names what every model would miss or not know.
 [[noreturn]] void refuse_without_model(const std::vector<Given> &entries, const std::string &file) {
-  const Misfits mjc = find_misfits(std::variant_alternative_t<0, AnyMetal>{}, entries);
-  const Misfits jc = find_misfits(std::variant_alternative_t<1, AnyMetal>{}, entries);
-  const Misfits either{common(mjc.missing, jc.missing), common(mjc.superfluous, jc.superfluous)};
-  throw ogive::SetupError(printable(file) + ": " + text_of(either) + "; model must be one of " +
+  Misfits any;
+  for (const auto &model : models)
+    with_model(model.value, [&](auto metal) -> AnyMetal {
+      const Misfits misfits = find_misfits(metal, entries);
+      const bool is_first = model.value == models.front().value;
+      any.missing = is_first ? misfits.missing : common(any.missing, misfits.missing);
+      any.superfluous = is_first ? misfits.superfluous : common(any.superfluous, misfits.superfluous);
+      return metal;
+    });
+  throw ogive::SetupError(printable(file) + ": " + text_of(any) + "; model must be one of " +
                           options::names_in(models) + " and decides which keys there are");
 }
 
@@ -116,12 +140,30 @@ void assign(const Key &, ogive::RateFactor &value, const Given &given) {
   value = options::choice_given(given, rate_factors);
 }
 
+void assign(const Key &, ogive::FailureRateTerm &value, const Given &given) {
+  value = options::choice_given(given, rate_terms);
+}
+
 /// The model has chosen the type already.
 void assign(const Key &, const Model &, const Given &) {}
 
+/// Fills in what a law takes from the rest of its metal.
+template <class M> void complete(M &) {}
+void complete(ogive::Metal<double, ogive::PowerLaw<double>> &metal) { metal.flow.modulus = metal.elasticity.young; }
+
+/// Checks what belongs together in the hardening of a law.
+template <class Law> void check_hardening(const Law &law, const std::vector<Given> &entries) {
+  if (!(law.A + law.B > 0)) refuse(*find(entries, "A_MPa"), "A_MPa or B_MPa must be positive");
+}
+void check_hardening(const ogive::Voce<double> &law, const std::vector<Given> &entries) {
+  if (!(law.A + std::min(law.Q1, 0.0) + std::min(law.Q2, 0.0) > 0))
+    refuse(*find(entries, "A_MPa"), "must be positive, with Q1_MPa and Q2_MPa where those are negative");
+}
+void check_hardening(const ogive::PowerLaw<double> &, const std::vector<Given> &) {}
+
 /// Checks what belongs together, the constants of damage as if they were used.
 template <class M> void check_all(M metal, const std::vector<Given> &entries, const std::string &file) {
-  if (!(metal.flow.A + metal.flow.B > 0)) refuse(*find(entries, "A_MPa"), "A_MPa or B_MPa must be positive");
+  check_hardening(metal.flow, entries);
   if (!(metal.melting_temperature > metal.room_temperature))
     refuse(*find(entries, "melting_temperature_K"), "must lie above room_temperature_K");
   if (const Given *D1 = find(entries, "D1"))
@@ -134,8 +176,7 @@ template <class M> void check_all(M metal, const std::vector<Given> &entries, co
   }
 }
 
-template <class M> M metal_from(const std::vector<Given> &entries, const std::string &file) {
-  M metal;
+template <class M> M metal_from(M metal, const std::vector<Given> &entries, const std::string &file) {
   const Misfits misfits = find_misfits(metal, entries);
   if (!misfits.missing.empty() || !misfits.superfluous.empty())
     throw ogive::SetupError(printable(file) + ": model \"" + name_of(model_of(metal.flow)) + "\" " + text_of(misfits) +
@@ -143,6 +184,7 @@ template <class M> M metal_from(const std::vector<Given> &entries, const std::st
   for_each_key(metal, [&](const Key &key, auto &value) {
     if (const Given *given = find(entries, key.name)) assign(key, value, *given);
   });
+  complete(metal);
   check_all(metal, entries, file);
   return metal;
 }
@@ -163,6 +205,12 @@ std::string commented(const std::string &text) {
   return text.empty() ? "" : lines + "\n";
 }
 
+/// The lines with the metal's name in front.
+std::vector<std::string> named(const AnyMetal &any, std::vector<std::string> lines) {
+  for (std::string &line : lines) line = printable(name_of(any)) + ": " + line;
+  return lines;
+}
+
 } // namespace
 
 AnyMetal read(const std::filesystem::path &file, const std::string &what) {
@@ -173,9 +221,8 @@ AnyMetal parse(std::string_view text, const std::string &file) {
   const auto entries = options::toml_entries(text, file, "A_MPa = 503.0");
   const Given *model = find(entries, "model");
   if (model == nullptr) refuse_without_model(entries, file);
-  if (options::choice_given(*model, models) == Model::mjc)
-    return metal_from<std::variant_alternative_t<0, AnyMetal>>(entries, file);
-  return metal_from<std::variant_alternative_t<1, AnyMetal>>(entries, file);
+  return with_model(options::choice_given(*model, models),
+                    [&](auto metal) -> AnyMetal { return metal_from(std::move(metal), entries, file); });
 }
 
 std::string to_toml(const AnyMetal &any, const std::string &comment) {
@@ -197,11 +244,13 @@ std::string to_toml(const AnyMetal &any, const std::string &comment) {
   return text;
 }
 
-std::vector<std::string> doubts_of(const AnyMetal &any) {
+std::vector<std::string> doubts_of_flow(const AnyMetal &any) {
+  return named(any, std::visit([](const auto &metal) { return ogive::doubts_of_flow(metal); }, any));
+}
+
+std::vector<std::string> doubts_of_damage(const AnyMetal &any) {
   if (!has(any, Group::strain)) return {};
-  auto doubts = std::visit([](const auto &metal) { return ogive::doubts_of(metal.damage.failure_strain); }, any);
-  for (std::string &doubt : doubts) doubt = printable(name_of(any)) + ": " + doubt;
-  return doubts;
+  return named(any, std::visit([](const auto &metal) { return doubts_of(metal.damage.failure_strain); }, any));
 }
 
 Model model_of(const AnyMetal &any) {

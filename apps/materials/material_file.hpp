@@ -15,12 +15,14 @@
 
 namespace materials {
 
-/// The flow laws that a file can have.
-enum class Model { mjc, jc };
+/// The flow laws that a file can have: modified and classical Johnson-Cook, and with the factors of the classical law
+/// Voce hardening and the power law of the total strain.
+enum class Model { mjc, jc, voce, power_law };
 
-/// A metal with either law.
+/// A metal with any of these laws, in the order of Model.
 using AnyMetal = std::variant<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>,
-                              ogive::Metal<double, ogive::JohnsonCook<double>>>;
+                              ogive::Metal<double, ogive::JohnsonCook<double>>,
+                              ogive::Metal<double, ogive::Voce<double>>, ogive::Metal<double, ogive::PowerLaw<double>>>;
 
 /// The metal in a file. Damage is off whatever constants of it there are: the run chooses. Throws SetupError, one line:
 /// all keys that are missing or superfluous, or file, line, key, value and what is allowed; "<what> = <file>: ..." if
@@ -34,8 +36,10 @@ AnyMetal parse(std::string_view text, const std::string &file);
 /// and equation of state are written as constants, not what is chosen of them.
 std::string to_toml(const AnyMetal &metal, const std::string &comment);
 
-/// What is doubtful about its constants of damage, see ogive::doubts_of(): a line for each, with the metal's name.
-std::vector<std::string> doubts_of(const AnyMetal &metal);
+/// What is doubtful about its flow stress, and about its constants of damage if it has them, see
+/// ogive::doubts_of_flow() and ogive::doubts_of(): a line for each, with the metal's name.
+std::vector<std::string> doubts_of_flow(const AnyMetal &metal);
+std::vector<std::string> doubts_of_damage(const AnyMetal &metal);
 
 /// Its flow law.
 Model model_of(const AnyMetal &metal);

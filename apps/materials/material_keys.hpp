@@ -33,35 +33,63 @@ struct Key {
 inline constexpr auto rate_factors = options::named<ogive::RateFactor>(
     {{ogive::RateFactor::logarithmic, "logarithmic"}, {ogive::RateFactor::power, "power"}});
 
-inline constexpr auto models = options::named<Model>({{Model::mjc, "mjc"}, {Model::jc, "jc"}});
+inline constexpr auto rate_terms = options::named<ogive::FailureRateTerm>(
+    {{ogive::FailureRateTerm::power, "power"}, {ogive::FailureRateTerm::logarithmic, "logarithmic"}});
+
+inline constexpr auto models = options::named<Model>(
+    {{Model::mjc, "mjc"}, {Model::jc, "jc"}, {Model::voce, "voce"}, {Model::power_law, "power_law"}});
 
 constexpr auto choices(Model) { return models; }
 
 constexpr Model model_of(const ogive::ModifiedJohnsonCook<double> &) { return Model::mjc; }
 constexpr Model model_of(const ogive::JohnsonCook<double> &) { return Model::jc; }
+constexpr Model model_of(const ogive::Voce<double> &) { return Model::voce; }
+constexpr Model model_of(const ogive::PowerLaw<double> &) { return Model::power_law; }
+
+/// Calls `f(key, value)` for the constants of a rate factor and a thermal factor, of a law or of JohnsonCookFactors.
+template <class Factors, class F> void for_each_factor_key(Factors &factors, F &&f) {
+  f(Key{"C", "of the rate factor", {-0.1, 1}}, factors.C);
+  f(Key{"m", "exponent of the homologous temperature", {0.01, 10}}, factors.m);
+  f(Key{"reference_rate_per_s", "of the rate factor", {1e-12, 1e9, "1/s"}}, factors.reference_rate);
+  f(Key{"rate_factor", "1 + C ln(rate/reference), or (1 + rate/reference)^C"}, factors.rate_factor);
+}
 
 /// Calls `f(key, value)` for each constant of a flow law.
 template <class Law, class F> void for_each_flow_key(Law &law, F &&f) {
-  if constexpr (std::is_same_v<std::remove_const_t<Law>, ogive::Bilinear<double>>) {
-    f(Key{"yield_MPa", "yield stress", {0, 1e5, "MPa"}, 6}, law.yield);
+  using Plain = std::remove_const_t<Law>;
+  constexpr options::Limits stress{0, 1e5, "MPa"}, change{-1e5, 1e5, "MPa"}, exponent{0.001, 10}, speed{0.001, 1e5};
+  if constexpr (std::is_same_v<Plain, ogive::Bilinear<double>>) {
+    f(Key{"yield_MPa", "yield stress", stress, 6}, law.yield);
     f(Key{"hardening_MPa", "plastic modulus", {0, 1e6, "MPa"}, 6}, law.hardening);
   } else {
     const Model model = model_of(law);
-    f(Key{"model", "modified (mjc) or classical (jc) Johnson-Cook"}, model);
-    f(Key{"A_MPa", "yield stress", {0, 1e5, "MPa"}, 6}, law.A);
-    f(Key{"B_MPa", "hardening", {0, 1e5, "MPa"}, 6}, law.B);
+    f(Key{"model", "flow law: mjc, jc, voce or power_law"}, model);
   }
-  if constexpr (std::is_same_v<std::remove_const_t<Law>, ogive::ModifiedJohnsonCook<double>>) {
-    f(Key{"a", "exponent of the plastic strain", {0.001, 10}}, law.a);
-    f(Key{"C", "exponent of the plastic strain rate in 1/s", {0, 1}}, law.C);
+  if constexpr (std::is_same_v<Plain, ogive::ModifiedJohnsonCook<double>>) {
+    f(Key{"A_MPa", "yield stress", stress, 6}, law.A);
+    f(Key{"B_MPa", "hardening", stress, 6}, law.B);
+    f(Key{"a", "exponent of the plastic strain", exponent}, law.a);
+    f(Key{"C", "exponent of the plastic strain rate in 1/s", {-0.1, 1}}, law.C);
     f(Key{"b", "exponent of the homologous temperature", {0.01, 10}}, law.b);
   }
-  if constexpr (std::is_same_v<std::remove_const_t<Law>, ogive::JohnsonCook<double>>) {
-    f(Key{"n", "exponent of the plastic strain", {0.001, 10}}, law.n);
-    f(Key{"C", "of the rate factor", {0, 1}}, law.C);
-    f(Key{"m", "exponent of the homologous temperature", {0.01, 10}}, law.m);
-    f(Key{"reference_rate_per_s", "of the rate factor", {1e-12, 1e9, "1/s"}}, law.reference_rate);
-    f(Key{"rate_factor", "1 + C ln(rate/reference), or (1 + rate/reference)^C"}, law.rate_factor);
+  if constexpr (std::is_same_v<Plain, ogive::JohnsonCook<double>>) {
+    f(Key{"A_MPa", "yield stress", stress, 6}, law.A);
+    f(Key{"B_MPa", "hardening", stress, 6}, law.B);
+    f(Key{"n", "exponent of the plastic strain", exponent}, law.n);
+    for_each_factor_key(law, f);
+  }
+  if constexpr (std::is_same_v<Plain, ogive::Voce<double>>) {
+    f(Key{"A_MPa", "yield stress", stress, 6}, law.A);
+    f(Key{"Q1_MPa", "hardening: Q1 (1 - exp(-C1 strain)) and the same with Q2, C2", change, 6}, law.Q1);
+    f(Key{"C1", "of the plastic strain", speed}, law.C1);
+    f(Key{"Q2_MPa", "", change, 6, Group::always, false}, law.Q2);
+    f(Key{"C2", "", {0, 1e5}, 0, Group::always, false}, law.C2);
+    for_each_factor_key(law.factors, f);
+  }
+  if constexpr (std::is_same_v<Plain, ogive::PowerLaw<double>>) {
+    f(Key{"yield_MPa", "Y of Y (E strain/Y)^n, strain with its elastic part", {0.1, 1e5, "MPa"}, 6}, law.yield);
+    f(Key{"n", "exponent of the strain", {0, 0.6}}, law.n);
+    for_each_factor_key(law.factors, f);
   }
 }
 
@@ -70,6 +98,7 @@ template <class M, class F> void for_each_key(M &&m, F &&f) {
   constexpr auto always = Group::always, shock = Group::shock, strain = Group::strain, work = Group::work;
   f(Key{"name", ""}, m.name);
   f(Key{"source", "", {}, 0, always, false}, m.source);
+  f(Key{"confidence", "", {}, 0, always, false}, m.confidence);
   f(Key{"density_kg_per_m3", "", {100, 30000, "kg/m3"}}, m.density);
   f(Key{"young_modulus_GPa", "", {0.1, 2000, "GPa"}, 9}, m.elasticity.young);
   f(Key{"poisson_ratio", "", {0, 0.495}}, m.elasticity.poisson);
@@ -89,9 +118,11 @@ template <class M, class F> void for_each_key(M &&m, F &&f) {
   f(Key{"D1", "failure strain", {-100, 100}, 0, strain}, failure.D1);
   f(Key{"D2", "and its dependence on triaxiality", {-100, 100}, 0, strain}, failure.D2);
   f(Key{"D3", "exponent of the triaxiality", {-100, 100}, 0, strain}, failure.D3);
-  f(Key{"D4", "exponent of the rate", {-10, 10}, 0, strain}, failure.D4);
+  f(Key{"D4", "of the rate", {-10, 10}, 0, strain}, failure.D4);
   f(Key{"D5", "of the homologous temperature", {-100, 100}, 0, strain}, failure.D5);
   f(Key{"damage_reference_rate_per_s", "of D4", {1e-12, 1e9, "1/s"}, 0, strain, false}, failure.reference_rate);
+  constexpr char term[] = "(rate/reference)^D4, or 1 + D4 ln(rate/reference)";
+  f(Key{"damage_rate_term", term, {}, 0, strain, false}, failure.rate_term);
   constexpr char shear[] = "particle distance for which damage holds in bands of shear; 0: any";
   f(Key{"shear_length_mm", shear, {0, 100, "mm"}, -3, strain, false}, m.damage.shear_length);
   f(Key{"critical_work_MPa", "Cockcroft-Latham", {0.001, 1e6, "MPa"}, 6, work}, m.damage.critical_work);
@@ -124,5 +155,6 @@ inline std::string text_of(const Key &key, double value) { return options::short
 inline std::string text_of(const Key &, const std::string &value) { return value; }
 inline std::string text_of(const Key &, Model value) { return options::name_in(models, value); }
 inline std::string text_of(const Key &, ogive::RateFactor value) { return options::name_in(rate_factors, value); }
+inline std::string text_of(const Key &, ogive::FailureRateTerm value) { return options::name_in(rate_terms, value); }
 
 } // namespace materials

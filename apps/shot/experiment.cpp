@@ -3,6 +3,7 @@
 
 #include "ogive/core/error.hpp"
 #include "ogive/io/csv_rows.hpp"
+#include "options/data_folder.hpp"
 #include "options/text.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using Rows = std::vector<std::vector<std::string>>;
 /// The rows of a specimen, from the column of the metal on: metal, nose, thickness and two more at least.
 Rows find_rows(const char *table, const Specimen &specimen) {
   Rows found;
-  for (auto row : read_rows(data_folder() / table)) {
+  for (auto row : read_rows(options::data_folder() / table)) {
     const auto metal = std::find(row.begin(), row.end(), specimen.metal);
     row.erase(row.begin(), metal);
     const auto thickness = row.size() > 4 ? number_from(row[2]) : std::nullopt;
@@ -30,13 +31,6 @@ Rows find_rows(const char *table, const Specimen &specimen) {
 }
 
 } // namespace
-
-std::filesystem::path data_folder() {
-  std::error_code none;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
-  const auto installed = program.parent_path().parent_path() / "share/ogive/data";
-  return std::filesystem::exists(installed / "experiment_shots.csv", none) ? installed : OGIVE_DATA_FOLDER;
-}
 
 std::vector<std::vector<std::string>> read_rows(const std::filesystem::path &file) {
   constexpr std::size_t most_fields = 50;

@@ -12,9 +12,6 @@
 
 namespace experiment {
 
-/// Tables of tests: where an installed program has them, else where it was built.
-std::filesystem::path data_folder();
-
 /// Rows of a table without its header; empty if the file cannot be read.
 std::vector<std::vector<std::string>> read_rows(const std::filesystem::path &file);
 

@@ -13,7 +13,6 @@ namespace shot {
 namespace {
 
 using materials::AnyMetal;
-using materials::is_material_file;
 using options::origin_of;
 using options::Origins;
 using options::printable;
@@ -147,12 +146,12 @@ Plates plates_of(const Options &o) {
   return plates;
 }
 
-/// The same for the materials of all plates: files first, they say which model those of the library get.
+/// Those with a flow law of their own first: the others get the same.
 void settle_materials(Options &o, const Origins &origins) {
   bool is_model_fixed = false;
   for (const bool files : {true, false})
     for (const std::string &material : materials_of(o))
-      if (is_material_file(material) == files)
+      if (materials::has_own_model(material) == files)
         settle_material(o, material, std::exchange(is_model_fixed, true), origins);
 }
 
@@ -162,10 +161,14 @@ std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
     all.push_back("velocity_mps = " + options::shortest(o.velocity_mps) + ": above " +
                   options::shortest(fastest_tested_mps) +
                   " m/s nothing was compared with tests, and a deformable projectile may stop the run");
-  if (o.damage != DamageLaw::johnson_cook) return all;
-  for (const materials::AnyMetal &metal : plates)
-    for (std::string &doubt : materials::doubts_of(metal))
+  const auto add = [&](std::vector<std::string> doubts) {
+    for (std::string &doubt : doubts)
       if (std::find(all.begin(), all.end(), doubt) == all.end()) all.push_back(std::move(doubt));
+  };
+  for (const AnyMetal &metal : plates) {
+    add(materials::doubts_of_flow(metal));
+    if (o.damage == DamageLaw::johnson_cook) add(materials::doubts_of_damage(metal));
+  }
   return all;
 }
 

@@ -36,7 +36,8 @@ void settle_materials(Options &options, const options::Origins &origins);
 /// The metals of all plates with the pressure law, damage and failure that the options choose. Throws SetupError.
 Plates plates_of(const Options &options);
 
-/// What is doubtful about a case, a line for each: the constants of damage that its metals use, and its velocity.
+/// What is doubtful about a case, a line for each: the flow stress and the constants of damage that its metals use, and
+/// its velocity.
 std::vector<std::string> doubts_of(const Options &options, const Plates &plates);
 
 /// The metals of the plates as text for checkpoints: of one as its file has it, or one behind the other.

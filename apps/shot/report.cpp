@@ -120,7 +120,7 @@ std::string case_title(const Options &o, const Result &s) {
 std::optional<experiment::Residual> find_test(const Options &o) {
   const materials::LibraryMetal *metal = materials::find_library_metal(o.material);
   if (metal == nullptr || !is_of_the_tests(o) || !o.layers_mm.empty()) return std::nullopt;
-  return experiment::find_residual(std::string(metal->test_name), std::string(ogive::name(o.nose)), o.thickness_mm,
+  return experiment::find_residual(std::string(metal->title), std::string(ogive::name(o.nose)), o.thickness_mm,
                                    o.velocity_mps);
 }
 

@@ -34,11 +34,11 @@ void add_plate(Table &t, Options &o) {
       .brief = "metal of the plate: a name, or your FILE.toml"});
   material.placeholder = "NAME|FILE.toml";
   material.allowed_text = materials::allowed_materials();
-  material.range = ": " + material.allowed_text + "; \"ogive materials\" lists all constants";
+  material.range = ": " + material.allowed_text;
   material.assign = [&o](const Given &given) { o.material = material_given(given); };
   material.names = materials::library_names();
   add(t, o.model, {.key = "model",
-      .meaning = "flow stress, modified or classical Johnson-Cook; a FILE.toml has its own", .source = "paper"});
+      .meaning = "flow law, of metals that have several (mjc and jc); others have their own", .source = "paper"});
   add(t, o.method, {.key = "method", .meaning = "how the plate holds together: particles as in the paper, which "
       "separate by themselves; particles stabilised by bonds, with damage; or hexes that turn into particles "
       "where damage has used them up", .source = "paper", .brief = "sfm (the paper's), stabilised or adaptive"});

@@ -3,6 +3,7 @@
 
 #include "cases.hpp"
 #include "finish.hpp"
+#include "options/data_folder.hpp"
 #include "options/exit_status.hpp"
 #include "plots.hpp"
 #include "shot/experiment.hpp"
@@ -122,7 +123,7 @@ int run(const Figures &figures, const options::Arguments &arguments) {
 } // namespace
 
 std::vector<FigureShot> listed_shots(const Figures &figures, const FigureOptions &o) {
-  const auto file = experiment::data_folder() / "figure_shots.csv";
+  const auto file = options::data_folder() / "figure_shots.csv";
   std::vector<FigureShot> shots;
   for (const char *model : {"mjc", "jc"}) {
     if (o.method != methods[0] ? model != std::string_view("mjc") : o.model != "both" && o.model != model) continue;

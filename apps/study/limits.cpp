@@ -99,7 +99,7 @@ Case shot_of(const Series &series, double velocity_mps, const Texts &own_columns
 Published find_published(const shot::Options &o) {
   const materials::LibraryMetal *metal = materials::find_library_metal(o.material);
   if (metal == nullptr || !is_of_the_tests(o) || !o.layers_mm.empty()) return {};
-  const experiment::Specimen tested{std::string(metal->test_name), std::string(ogive::name(o.nose)), o.thickness_mm};
+  const experiment::Specimen tested{std::string(metal->title), std::string(ogive::name(o.nose)), o.thickness_mm};
   Published p;
   p.paper_velocity_mps = experiment::find_paper_velocity(tested);
   if (const auto limit = experiment::find_limit(tested))

@@ -6,6 +6,7 @@
 /// Not here: fits (fit/), the search for ballistic limits, other files than checkpoints (io/).
 
 #include "ogive/io/checkpoint.hpp"
+#include "ogive/material/doubts.hpp"
 #include "ogive/material/library.hpp"
 #include "ogive/perforation/flight.hpp"
 #include "ogive/perforation/method.hpp"

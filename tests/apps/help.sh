@@ -40,7 +40,7 @@ done
 echo "the metals"
 list=$("$ogive" materials)
 [ "$list" = "$("$ogive" materials list)" ] || fail "materials: not the list"
-grep -qx weldox_460e <<< "$list" || fail "materials list: $list"
+grep -q '^weldox_460e ' <<< "$list" || fail "materials list: $list"
 for metal in weldox_460e aa5083_h116 aa5083_h116_25mm; do
   for model in mjc jc; do
     "$ogive" materials show "$metal" --model "$model" > metal.toml || fail "materials show $metal: status $?"
@@ -69,7 +69,7 @@ completes "--thickness-mm" shoot --thick
 completes "--thickness-mm" limit --quiet --thick
 completes "blunt conical ogival hemispherical" shoot --nose ""
 completes "conical" shoot --nose c
-completes "aa5083_h116 aa5083_h116_25mm" mesh --material aa
+completes "aa5083_h116 aa5083_h116_25mm" mesh --material aa50
 completes "--no-vtk" shoot --no-v
 completes "--config" shoot --conf
 completes "--help --help-all" sweep --hel

@@ -79,10 +79,15 @@ TEST_CASE("every metal of the library reads back from its file to the last bit")
   bare.eos = {};
   bare.damage = {};
   bare.flow.reference_rate = 1e-10;
+  auto damaged = library::aa5083_h116<double>(ogive::Voce<double>{1e8, 2e8, 20, -1e7, 3, {.C = -0.01, .m = 1}}, "");
+  damaged.confidence = "low";
+  damaged.damage.failure_strain.rate_term = ogive::FailureRateTerm::logarithmic;
+  const auto power = library::aa5083_h116<double>(ogive::PowerLaw<double>{276e6, 70e9, 0.07, {.C = 0.001, .m = 1}}, "");
   for (const AnyMetal &metal :
-       {AnyMetal(library::weldox_460e_mjc<double>()), AnyMetal(library::weldox_460e_jc<double>()),
-        AnyMetal(library::aa5083_h116_mjc<double>()), AnyMetal(library::aa5083_h116_mjc<double>(0.85)),
-        AnyMetal(library::aa5083_h116_jc<double>()), AnyMetal(odd), AnyMetal(bare)}) {
+       {AnyMetal(damaged), AnyMetal(power), AnyMetal(library::weldox_460e_mjc<double>()),
+        AnyMetal(library::weldox_460e_jc<double>()), AnyMetal(library::aa5083_h116_mjc<double>()),
+        AnyMetal(library::aa5083_h116_mjc<double>(0.85)), AnyMetal(library::aa5083_h116_jc<double>()), AnyMetal(odd),
+        AnyMetal(bare)}) {
     const std::string text = materials::to_toml(metal, "two\nlines");
     CHECK_THAT(text, StartsWith("# two\n# lines\nname = "));
     const AnyMetal read = materials::parse(text, "my.toml");
@@ -134,8 +139,8 @@ TEST_CASE("one error names all keys that are missing or superfluous") {
   CHECK_THAT(refusal_of(mjc + "damage_reference_rate_per_s = 1\n"),
              StartsWith("my.toml: model \"mjc\" lacks D1, D2, D3, D4, D5; its keys are"));
   CHECK_THAT(refusal_of(with("model", "yield = 3")),
-             Contains("lacks model and does not know yield; model must be one of mjc, jc"));
-  CHECK_THAT(refusal_of(""), StartsWith("my.toml: lacks name, ") && Contains("melting_temperature_K, model, A_MPa"));
+             Contains("lacks model and does not know yield; model must be one of mjc, jc, voce, power_law"));
+  CHECK_THAT(refusal_of(""), StartsWith("my.toml: lacks name, ") && Contains("melting_temperature_K, model, C"));
   CHECK_THAT(refusal_of(mjc + "\"x\\ny\" = 1\n"), Contains("does not know x?y; "));
   std::string many = mjc;
   for (int i = 0; i < 1000; ++i) many += "x" + std::to_string(i) + " = 1\n";
@@ -152,8 +157,8 @@ TEST_CASE("wrong values in a material file are refused with file, line, key and 
       {"name", "name = \"a\\nb\"", "my.toml:1: name = \"a?b\": must be text of at most 80 characters, on one line"},
       {"name", "name = \"" + std::string(81, 'x') + "\"", "my.toml:1: name = \"xxx"},
       {"source", "source = []", "my.toml:14: source = an array: must be text of at most 2000 characters, on one line"},
-      {"model", "model = \"zerilli\"", "my.toml:2: model = \"zerilli\": must be one of mjc, jc"},
-      {"model", "model = 1", "my.toml:2: model = 1: must be one of mjc, jc"},
+      {"model", "model = \"zerilli\"", "my.toml:2: model = \"zerilli\": must be one of mjc, jc, voce, power_law"},
+      {"model", "model = 1", "my.toml:2: model = 1: must be one of mjc, jc, voce, power_law"},
       {"density_kg_per_m3", "density_kg_per_m3 = 7.85",
        "my.toml:3: density_kg_per_m3 = 7.85: must lie between 100 and 30000 kg/m3"},
       {"young_modulus_GPa", "young_modulus_GPa = 210e9",
@@ -171,6 +176,7 @@ TEST_CASE("wrong values in a material file are refused with file, line, key and 
        "my.toml:9: A_MPa = \"503 MPa\": must be a number between 0 and 100000 MPa, written without the unit"},
       {"A_MPa", "A_MPa = true", "my.toml:9: A_MPa = true: must be a number between 0 and 100000 MPa"},
       {"A_MPa", "A_MPa = 1979-05-27", "my.toml:9: A_MPa = a date or time: must be a number between 0 and 100000 MPa"},
+      {"C", "C = -0.2", "my.toml:12: C = -0.2: must lie between -0.1 and 1"},
       {"a", "a = 0", "my.toml:11: a = 0: must lie between 0.001 and 10"},
       {"b", "[b]\nc = 3", "my.toml:13: b = a table: must be a number between 0.01 and 10"},
       {"A_MPa", "A_MPa =", "my.toml:9: "},
@@ -182,6 +188,9 @@ TEST_CASE("wrong values in a material file are refused with file, line, key and 
     CHECK_THAT(message, StartsWith(bad.message));
     CHECK(message.find('\n') == std::string::npos);
   }
+  const std::string voce = mjc.substr(0, mjc.find("B_MPa")) + "Q1_MPa = -600\nC1 = 10\nC = 0\nm = 1\n";
+  CHECK(refusal_of(voce.substr(0, voce.find("mjc")) + "voce" + voce.substr(voce.find("mjc") + 3)) ==
+        "my.toml:9: A_MPa = 5.03e+2: must be positive, with Q1_MPa and Q2_MPa where those are negative");
   std::string weak = with("A_MPa", "A_MPa = 0");
   weak.replace(weak.find("B_MPa = 581"), 11, "B_MPa = 0");
   CHECK(refusal_of(weak) == "my.toml:9: A_MPa = 0: A_MPa or B_MPa must be positive");
@@ -201,6 +210,15 @@ TEST_CASE("a material file that cannot be read is refused") {
   CHECK(refusal_of_file() == "material = " + file + ": must be a TOML file of at most 1 MiB");
   write(file, mjc + "x = \n");
   CHECK_THAT(refusal_of_file(), StartsWith(file + ":14: "));
+}
+
+TEST_CASE("the power law has the Young's modulus of its metal") {
+  std::string text = mjc.substr(0, mjc.find("A_MPa")) + "yield_MPa = 276\nn = 0.07\nC = 0\nm = 1\n";
+  text.replace(text.find("mjc"), 3, "power_law");
+  const auto metal = std::get<ogive::Metal<double, ogive::PowerLaw<double>>>(materials::parse(text, "x"));
+  CHECK(metal.flow.modulus == 210e9);
+  // 276 (210000 * 0.1/276)^0.07 = 373.767 MPa at a total strain of 0.1, of which 373.767/210000 is elastic.
+  CHECK(flow_stress(metal, 0.1 - 373.767 / 210000, 1.0, 293.0).value == Approx(373.767e6).epsilon(1e-5));
 }
 
 TEST_CASE("a flow stress without an effect of the rate needs no reference rate") {

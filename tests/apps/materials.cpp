@@ -6,7 +6,10 @@
 #include "io/temporary_folder.hpp"
 
 #include "ogive/material/library.hpp"
+#include "options/data_folder.hpp"
 #include "shot/run.hpp"
+
+#include <set>
 
 using Catch::Matchers::StartsWith;
 using shot::Options;
@@ -192,12 +195,74 @@ TEST_CASE("a material that the results would overwrite is refused") {
         "--material = " + file.string() + ": must not be case.toml in the folder for the results: that is overwritten");
 }
 
-TEST_CASE("the list has every metal with its constants and source, and fits a terminal") {
+TEST_CASE("every metal of the library loads, with its source and how far to trust it") {
+  std::set<std::string> files;
+  for (const std::string &name : materials::library_names()) {
+    INFO(name);
+    const materials::LibraryMetal &entry = *materials::find_library_metal(name);
+    if (entry.make == nullptr) files.insert(materials::file_of(entry).filename().string());
+    const auto metal = materials::find_metal(name, shot::FlowModel::mjc, "test");
+    CHECK(materials::name_of(metal) == name);
+    std::visit(
+        [](const auto &m) {
+          CHECK(m.source.size() > 20);
+          CHECK((m.confidence.starts_with("high") || m.confidence.starts_with("medium") ||
+                 m.confidence.starts_with("low: from memory")));
+        },
+        metal);
+    // At 10000 1/s the power of lead multiplies its flow stress by (2e7)^0.1 = 5.4, and its heat with it.
+    CHECK(materials::doubts_of_flow(metal).size() == (name == "lead" ? 1 : 0));
+    // -0.77 + 1.45 exp(-0.47 s) and -2.2 + 5.43 exp(-0.47 s) are below zero from 1.35 and 1.92 on, and 1 - 0.0528
+    // ln(1e8) is 0.03.
+    const bool doubtful = name == "aa6061_t6" || name == "armco_iron" || name == "mild_steel";
+    CHECK(materials::doubts_of_damage(metal).size() == (doubtful ? 1 : 0));
+  }
+  std::set<std::string> found;
+  for (const auto &file : std::filesystem::directory_iterator(options::data_folder() / "metals"))
+    found.insert(file.path().filename().string());
+  CHECK(found == files);
+  CHECK(files.size() >= 15);
+}
+
+TEST_CASE("a metal of the library in a file has a flow law of its own") {
+  const Options o = options_of({"--material", "steel_4340"});
+  CHECK(o.model == shot::FlowModel::jc);
+  CHECK(o.out == "vtk_out/steel_4340_jc_blunt_12mm_303.5mps");
+  CHECK(options_of({"--material", "aa6061_t651", "--nose", "conical"}).friction == 0.02);
+  CHECK(refusal({"--material", "steel_4340", "--model", "mjc"}) ==
+        "--model = mjc: contradicts steel_4340, which has model = jc");
+  CHECK(refusal({"--material", "weldox_460e", "--model", "voce"}) ==
+        "--model = voce: contradicts weldox_460e, which has model = mjc");
+  CHECK(refusal({"--material", "hardox_400", "--damage", "jc"}) ==
+        "--damage = jc: needs D1, D2, D3, D4, D5 in hardox_400");
+  // The other plate gets the law of the one that has no choice.
+  const Options both = options_of({"--layers-mm", "4,8", "--layer-materials", "weldox_460e,steel_4340"});
+  for (const auto &plate : plates_of(both)) CHECK(materials::model_of(plate) == shot::FlowModel::jc);
+}
+
+TEST_CASE("a run warns of its metals' flow stress, and of damage that it uses") {
+  const Materials m;
+  auto metal = library::weldox_460e_jc<double>();
+  metal.flow.C = -0.01;
+  metal.damage.failure_strain.D3 = 2.9;
+  write(m.steel, materials::to_toml(metal, ""));
+  const auto doubts = [&](std::vector<const char *> arguments) {
+    arguments.insert(arguments.end(), {"--material", m.steel.c_str()});
+    const Options o = options_of(arguments);
+    return shot::doubts_of(o, shot::plates_of(o));
+  };
+  REQUIRE(doubts({}).size() == 1);
+  CHECK_THAT(doubts({})[0], StartsWith("weldox_460e: the flow stress falls with the rate"));
+  const auto with_damage = doubts({"--damage", "jc"});
+  REQUIRE(with_damage.size() == 2);
+  CHECK_THAT(with_damage[1], StartsWith("weldox_460e: the failure strain rises with tension"));
+}
+
+TEST_CASE("the list has a line for every metal, and fits a terminal") {
   const std::string text = materials::library_list();
+  for (const std::string &name : materials::library_names()) CHECK(text.find("\n" + name + " ") != std::string::npos);
   for (const char *part :
-       {"\nweldox_460e\n", "\naa5083_h116\n", "\naa5083_h116_25mm\n", "\narne_tool_steel, ",
-        "mjc: Liu et al. 2012, Table 1; D1", "jc: Clausen, Boervik", "bilinear: Liu et al. 2012, Table 3",
-        "A_MPa=503, ", "rate_factor=power", "D2=1.936", "yield_MPa=1900", "no constants of damage"})
+       {"mjc, jc    D1-D5, W_cr  high", "power_law  -            medium", "jc         W_cr         low"})
     CHECK(text.find(part) != std::string::npos);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);

@@ -2,7 +2,7 @@
 # libFuzzer where OGIVE_FUZZ is on; tests/fuzz/fuzz.sh runs those.
 set(fuzz_targets curve_table)
 if(TARGET ogive_shot)
-  list(APPEND fuzz_targets case_file material_file checkpoint_file checkpoint_notes checkpoint_state)
+  list(APPEND fuzz_targets card case_file material_file checkpoint_file checkpoint_notes checkpoint_state)
 else()
   message(STATUS "Most of tests/fuzz is left out: ogive_shot is not built")
 endif()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.hpp"
 
+#include "ogive/material/doubts.hpp"
 #include "ogive/material/library.hpp"
 #include "ogive/material/stress_update.hpp"
 
@@ -324,6 +325,19 @@ TEST_CASE("damage follows the pressure of the neighbours where a point has one",
   CHECK(alone.damage < 0.5 * among.damage);
 }
 
+TEST_CASE("the failure strain has both published terms of the rate, with a floor at the reference rate", "[material]") {
+  FailureStrain<double> f{0.1, 0.4, -1.5, 0.05, 0.5, 0.01};
+  const double slow = 0.1 + 0.4 * std::exp(-0.5); // triaxiality 1/3
+  CHECK(failure_strain(f, 1.0 / 3, 1e3, 0.0) == Approx(slow * std::pow(1e5, 0.05)));
+  CHECK(failure_strain(f, 1.0 / 3, 1e3, 0.2) == Approx(slow * std::pow(1e5, 0.05) * 1.1));
+  CHECK(failure_strain(f, 1.0 / 3, 1e-4, 0.0) == Approx(slow));
+  f.rate_term = FailureRateTerm::logarithmic;
+  CHECK(failure_strain(f, 1.0 / 3, 1e3, 0.0) == Approx(slow * (1 + 0.05 * std::log(1e5))));
+  CHECK(failure_strain(f, 1.0 / 3, 1e-4, 0.0) == Approx(slow));
+  f.D4 = -0.2; // 1 - 0.2 ln(1e5) is below zero
+  CHECK(failure_strain(f, 1.0 / 3, 1e3, 0.0) == 1e-6);
+}
+
 TEST_CASE("constants of damage that make no sense are doubtful, those of the library are not", "[material]") {
   const auto doubts = [](double D1, double D2, double D3, double D4, double D5, double rate = 1) {
     return doubts_of(FailureStrain<double>{D1, D2, D3, D4, D5, rate});
@@ -341,4 +355,43 @@ TEST_CASE("constants of damage that make no sense are doubtful, those of the lib
   CHECK(doubts(0.5, 0, 0.952, 0, 0).empty()); // D3 has no effect
   CHECK(doubts(0.5, 0.2, -2, 0, -1.5).size() == 1);
   CHECK(doubts(0.5, 0.2, -2, 0.4, 0).size() == 1); // 10^(4*0.4) = 40 times
+  // -0.5 + 0.2 exp(-2 s) is zero at s = -ln(2.5)/2 = -0.458; with D3 of the other sign at 0.458.
+  CHECK_THAT(doubts(-0.5, 0.2, -2, 0, 0).at(0), Catch::Contains("below zero from triaxiality -0.45 on"));
+  const auto both = doubts(-0.5, 0.2, 2, 0, 0);
+  REQUIRE(both.size() == 2);
+  CHECK_THAT(both[1], Catch::Contains("below zero from triaxiality -1 to 0.45 (D1 = -0.5"));
+  // Zero at 2.2, beyond what a shot reaches: -0.1 + 0.25 exp(-0.4165 s).
+  CHECK(doubts(-0.1, 0.25, -0.4165, 0, 0).empty());
+  CHECK_THAT(doubts(0.5, 0.2, -2, 0.01, 0, 1000).at(0),
+             Catch::Contains("no effect on the failure strain below its ref"));
+}
+
+TEST_CASE("flow stresses and temperatures that make no sense are doubtful, those of the library are not",
+          "[material]") {
+  CHECK(doubts_of_flow(library::weldox_460e_mjc<double>()).empty());
+  CHECK(doubts_of_flow(library::weldox_460e_jc<double>()).empty());
+  CHECK(doubts_of_flow(library::aa5083_h116_mjc<double>()).empty());
+  CHECK(doubts_of_flow(library::aa5083_h116_jc<double>()).empty());
+
+  auto metal = library::aa5083_h116_jc<double>();
+  const auto only = [&](const std::string &part) {
+    const auto doubts = doubts_of_flow(metal);
+    REQUIRE(doubts.size() == 1);
+    CHECK_THAT(doubts[0], Catch::Contains(part));
+  };
+  metal.flow.C = -0.01;
+  // (1 + 1e4)^-0.01 over (1 + 1)^-0.01, the slow rate being the rate floor of 1/s: 0.918.
+  only("falls with the rate, to 0.918 of its slow value");
+  metal.flow = {167e6, 596e6, 0.551, 0.01, 0.859, 3e3, RateFactor::logarithmic};
+  only("no effect on the flow stress up to 100 1/s");
+  metal.flow = {167e6, 596e6, 0.551, 0.001, 0.859, 1, RateFactor::power};
+  metal.melting_temperature = 430; // of 620 degrees Celsius a part
+  only("its own heat melts it at a plastic strain of 0.7");
+
+  const auto falling = library::aa5083_h116<double>(Voce<double>{200e6, 100e6, 20, -80e6, 2, {.C = 0, .m = 1}}, "");
+  const auto doubts = doubts_of_flow(falling);
+  REQUIRE(doubts.size() == 1);
+  // 100 20 e^-20e = 80 2 e^-2e at e = ln(12.5)/18 = 0.140, where the stress is 274.5 MPa; 200 + 100 - 80 (1 - e^-4)
+  // at 2.
+  CHECK_THAT(doubts[0], Catch::Contains("falls beyond a plastic strain of 0.14, from 274 to 221 MPa at 2"));
 }

@@ -16,6 +16,9 @@ Mat3<double> uniaxial_rate(double axial, double lateral) {
   return L;
 }
 
+/// AA5083-H116 with another flow law.
+template <class Law> Metal<double, Law> with_flow(const Law &flow) { return library::aa5083_h116<double>(flow, ""); }
+
 /// Central difference of the flow stress in one argument.
 template <class F> double slope(F &&f, double x, double dx) { return (f(x + dx) - f(x - dx)) / (2 * dx); }
 
@@ -62,6 +65,44 @@ TEST_CASE("the classical law has both published rate factors", "[material]") {
   CHECK(flow_stress(law, 0.05, 500.0, 293.0, steel).value == Approx(quasi_static * std::pow(1 + 1e6, 0.0123)));
 }
 
+TEST_CASE("Voce hardening saturates", "[material]") {
+  const ReferenceTemperatures<double> room{293, 893};
+  Voce<double> law{50e6, 100e6, 20, 40e6, 2, {.C = 0, .m = 1}};
+  // 50 + 100 (1 - e^-2) + 40 (1 - e^-0.2) MPa, from a hand calculator, six digits.
+  CHECK(flow_stress(law, 0.1, 1.0, 293.0, room).value == Approx(143.717e6).epsilon(1e-5));
+  CHECK(flow_stress(law, 0.0, 1.0, 293.0, room).value == 50e6);
+  CHECK(flow_stress(law, 50.0, 1.0, 293.0, room).value == Approx(190e6));
+  law.factors = {.C = 0.01, .m = 1, .reference_rate = 1e-3, .rate_factor = RateFactor::power};
+  CHECK(flow_stress(law, 0.0, 999e-3, 293.0, room).value == Approx(50e6 * std::pow(1000, 0.01)));
+  CHECK(flow_stress(law, 0.0, 999e-3, 593.0, room).value == Approx(50e6 * std::pow(1000, 0.01) / 2)); // T* = 1/2
+}
+
+TEST_CASE("the power law is one of the total strain", "[material]") {
+  const ReferenceTemperatures<double> room{293, 925};
+  const PowerLaw<double> law{276e6, 68.9e9, 0.0712, {.C = 0, .m = 1}};
+  CHECK(flow_stress(law, 0.0, 1.0, 293.0, room).value == 276e6); // yield
+  // At a total strain of 0.1: 276 (68900 * 0.1/276)^0.0712 = 347.055 MPa from a hand calculator, and 347.055/68900 of
+  // the strain is elastic.
+  CHECK(flow_stress(law, 0.1 - 347.055 / 68900, 1.0, 293.0, room).value == Approx(347.055e6).epsilon(3e-6));
+  // Two steps of Newton's method solve the implicit law: steep hardening is the worst case.
+  const PowerLaw<double> steep{100e6, 200e9, 0.6, {.C = 0, .m = 1}};
+  for (const double strain : {1e-4, 5e-4, 2e-3, 0.05, 1.0}) {
+    const double stress = flow_stress(steep, strain, 1.0, 293.0, room).value, total = strain + stress / 200e9;
+    CHECK(stress == Approx(100e6 * std::pow(200e9 * total / 100e6, 0.6)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a negative rate coefficient is legal, and the flow stress keeps a floor", "[material]") {
+  const ReferenceTemperatures<double> room{293, 893};
+  const JohnsonCook<double> law{200e6, 300e6, 0.5, -0.05, 1, 1e-3, RateFactor::logarithmic};
+  const double slow = flow_stress(law, 0.1, 1e-3, 293.0, room).value;
+  CHECK(flow_stress(law, 0.1, 1.0, 293.0, room).value == Approx(slow * (1 - 0.05 * std::log(1e3))));
+  // 1 - 0.05 ln(1e9) is below zero.
+  const auto fast = flow_stress(law, 0.1, 1e6, 293.0, room);
+  CHECK(fast.value == Approx(slow * smallest_rate_factor));
+  CHECK(fast.by_rate == 0);
+}
+
 TEST_CASE("flow laws give the derivatives of their stress", "[material]") {
   check_derivatives(library::weldox_460e_mjc<double>());
   check_derivatives(library::weldox_460e_jc<double>());
@@ -69,6 +110,9 @@ TEST_CASE("flow laws give the derivatives of their stress", "[material]") {
   logarithmic.flow.rate_factor = RateFactor::logarithmic;
   check_derivatives(logarithmic);
   check_derivatives(library::arne_tool_steel<double>());
+  check_derivatives(with_flow(Voce<double>{167e6, 100e6, 20, 90e6, 3, {.C = 0.01, .m = 0.9}}));
+  check_derivatives(with_flow(PowerLaw<double>{276e6, 70e9, 0.1, {.C = 0.01, .m = 0.9, .reference_rate = 1e-3}}));
+  check_derivatives(with_flow(JohnsonCook<double>{167e6, 596e6, 0.551, -0.01, 0.859, 1, RateFactor::logarithmic}));
 }
 
 TEST_CASE("a metal whose flow law gives no strength is refused", "[material]") {

@@ -94,6 +94,8 @@ TEST_CASE("several points at once do what they do one by one", "[material]") {
   logarithmic.flow.rate_factor = RateFactor::logarithmic;
   logarithmic.eos.law = PressureLaw::mie_gruneisen;
   check_same(logarithmic);
+  check_same(library::aa5083_h116<double>(Voce<double>{167e6, 100e6, 20, 90e6, 3, {.C = 0.01, .m = 0.9}}, ""));
+  check_same(library::aa5083_h116<double>(PowerLaw<double>{276e6, 70e9, 0.1, {.C = -0.01, .m = 0.9}}, ""));
   auto damaged = library::aa5083_h116_mjc<double>();
   damaged.damage.law = DamageLaw::johnson_cook;
   damaged.damage.softening = 0.6;
@@ -101,6 +103,7 @@ TEST_CASE("several points at once do what they do one by one", "[material]") {
     damaged.damage.effect = effect;
     check_same(damaged);
   }
+  damaged.damage.failure_strain.rate_term = FailureRateTerm::logarithmic;
   damaged.damage.shear_factor = 0.4;
   check_same(damaged, 8e8);
   damaged.damage.law = DamageLaw::cockcroft_latham;

@@ -6,61 +6,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace ogive {
 
-/// Constants of the failure strain (Liu et al. 2012, Eq. 4). The paper has no reference rate: 1/s.
-template <class T> struct FailureStrain {
-  T D1{}, D2{}, D3{}, D4{}, D5{}; ///< of Eq. 4, 1
-  T reference_rate = T(1);        ///< 1/s, what published values of D4 are relative to
+/// The two published effects of the rate on the failure strain.
+enum class FailureRateTerm {
+  power,      ///< (rate/reference)^D4 (Liu et al. 2012, Eq. 4)
+  logarithmic ///< 1 + D4 ln(rate/reference) (Johnson & Cook 1985)
 };
 
-/// eps_f = [D1 + D2 exp(D3 triaxiality)] (rate/reference)^D4 [1 + D5 T*] (Liu et al. 2012, Eq. 4), never below 1e-6.
-/// `N` is T or a pack of T.
+/// Constants of the failure strain (Liu et al. 2012, Eq. 4). The paper has no reference rate: 1/s.
+template <class T> struct FailureStrain {
+  T D1{}, D2{}, D3{}, D4{}, D5{};                     ///< of Eq. 4, 1
+  T reference_rate = T(1);                            ///< 1/s, what published values of D4 are relative to
+  FailureRateTerm rate_term = FailureRateTerm::power; ///< which of the two
+};
+
+/// eps_f = [D1 + D2 exp(D3 triaxiality)] r(rate) [1 + D5 T*] (Johnson & Cook 1985; Liu et al. 2012, Eq. 4), never below
+/// 1e-6. Below the reference rate r is 1, for either term. `N` is T or a pack of T.
 template <class T, class N>
 N failure_strain(const FailureStrain<T> &f, N triaxiality, N rate, N homologous_temperature) {
-  using std::exp, std::max, std::pow;
-  const N strain = (f.D1 + f.D2 * exp(f.D3 * triaxiality)) * pow(rate / f.reference_rate, f.D4) *
-                   (T(1) + f.D5 * homologous_temperature);
+  using std::exp, std::log, std::max, std::pow;
+  const N scaled = max(N(rate / f.reference_rate), N(1));
+  const N term = f.rate_term == FailureRateTerm::power ? N(pow(scaled, f.D4)) : N(T(1) + f.D4 * log(scaled));
+  const N strain = (f.D1 + f.D2 * exp(f.D3 * triaxiality)) * term * (T(1) + f.D5 * homologous_temperature);
   return max(strain, N(1e-6));
-}
-
-/// What is doubtful about constants of the failure strain that are legal, a line for each: no metal is known that gets
-/// more ductile with tension, fails at its first plastic strain, or with its melting point near.
-template <class T> std::vector<std::string> doubts_of(const FailureStrain<T> &f) {
-  std::vector<std::string> doubts;
-  const auto text = [](auto value) {
-    std::ostringstream stream;
-    stream.imbue(std::locale::classic());
-    stream << std::setprecision(3) << value;
-    return stream.str();
-  };
-  const auto at = [&](T triaxiality) { return f.D1 + f.D2 * std::exp(f.D3 * triaxiality); };
-  if (f.D2 * f.D3 > T(0))
-    doubts.push_back("the failure strain rises with tension, from " + text(at(T(0))) + " at triaxiality 0 to " +
-                     text(at(T(2))) + " at 2 (D3 = " + text(f.D3) +
-                     "): constants for a pressure that is positive in compression have D3 with the other sign");
-  // Beyond it are spall and the centre of deep necks.
-  constexpr T highest = T(3);
-  for (T triaxiality = T(-1) / T(3); triaxiality <= highest; triaxiality += T(0.01))
-    if (!(at(triaxiality) > T(0))) {
-      doubts.push_back("the failure strain is below zero from triaxiality " + text(triaxiality) +
-                       " on (D1 = " + text(f.D1) + ", D2 = " + text(f.D2) + ", D3 = " + text(f.D3) +
-                       "): points fail there at their first plastic strain");
-      break;
-    }
-  if (f.D5 <= T(-1))
-    doubts.push_back("the failure strain falls to zero below the melting point (D5 = " + text(f.D5) + ")");
-  if (const T factor = std::pow(T(1e4) / f.reference_rate, f.D4); !(factor > T(0.1) && factor < T(10)))
-    doubts.push_back("the failure strain at 10000 1/s is " + text(factor) + " times that at the reference rate, " +
-                     text(f.reference_rate) + " 1/s (D4 = " + text(f.D4) +
-                     "): ogive takes D4 as a power, some sets mean 1 + D4 ln(rate)");
-  return doubts;
 }
 
 /// How damage grows with plastic strain.

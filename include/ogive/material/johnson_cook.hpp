@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/material/flow_law.hpp"
+#include "ogive/material/power_law.hpp"
+#include "ogive/material/voce.hpp"
 
-#include <cmath>
+#include <variant>
 
 namespace ogive {
 
@@ -30,18 +31,12 @@ FlowStress<N> flow_stress(const ModifiedJohnsonCook<T> &law, N plastic_strain, N
           hardening.value * rate_factor * thermal.slope};
 }
 
-/// The two published rate factors of the classical law.
-enum class RateFactor {
-  logarithmic, ///< 1 + C ln(rate/rate0), 1 below rate0 (Johnson & Cook 1983)
-  power        ///< (1 + rate/rate0)^C (Camacho & Ortiz 1997; Boervik et al. 2001)
-};
-
 /// Classical Johnson-Cook law: sigma = [A + B eps^n] f(rate) [1 - T*^m].
 template <class T> struct JohnsonCook {
   T A{};                                            ///< Pa
   T B{};                                            ///< Pa
   T n{};                                            ///< hardening exponent
-  T C{};                                            ///< rate coefficient
+  T C{};                                            ///< rate coefficient, negative if the flow stress falls with rate
   T m{};                                            ///< thermal exponent
   T reference_rate = T(1);                          ///< 1/s
   RateFactor rate_factor = RateFactor::logarithmic; ///< which of the two
@@ -51,23 +46,11 @@ template <class T> struct JohnsonCook {
 template <class T, class N>
 FlowStress<N> flow_stress(const JohnsonCook<T> &law, N plastic_strain, N rate, N temperature,
                           const ReferenceTemperatures<T> &reference) {
-  using std::log, std::max, std::pow;
-  const auto hardening = power_hardening(law.A, law.B, law.n, plastic_strain);
-  const auto thermal = thermal_factor(temperature, reference, law.m);
-  const N scaled = rate * (T(1) / law.reference_rate);
-  N factor, slope;
-  if (law.rate_factor == RateFactor::power) {
-    factor = pow(T(1) + scaled, law.C);
-    slope = law.C * factor / (law.reference_rate + rate);
-  } else {
-    factor = T(1) + law.C * log(max(scaled, N(1)));
-    slope = select(scaled > N(1), law.C / rate, N(0));
-  }
-  return {hardening.value * factor * thermal.value, hardening.slope * factor * thermal.value,
-          hardening.value * slope * thermal.value, hardening.value * factor * thermal.slope};
+  const JohnsonCookFactors<T> factors{law.C, law.m, law.reference_rate, law.rate_factor};
+  return multiplied(power_hardening(law.A, law.B, law.n, plastic_strain), factors, rate, temperature, reference);
 }
 
-/// Either law, chosen when the program runs.
-template <class T> using AnyJohnsonCook = std::variant<ModifiedJohnsonCook<T>, JohnsonCook<T>>;
+/// Any law of the family, chosen when the program runs.
+template <class T> using AnyJohnsonCook = std::variant<ModifiedJohnsonCook<T>, JohnsonCook<T>, Voce<T>, PowerLaw<T>>;
 
 } // namespace ogive

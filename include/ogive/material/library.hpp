@@ -27,6 +27,7 @@ template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string so
   m.room_temperature = T(293);
   m.melting_temperature = T(1800);
   m.source += "; D1 to D5 of Dey 2004 (D1 to D3 transcribed, the rest quoted), W_cr from them";
+  m.confidence = "high: the flow stress is that of the paper or often quoted alike; D4 and D5 medium";
   m.damage.failure_strain = {T(0.636), T(1.936), T(-2.969), T(-0.014), T(1.014), T(5e-4)};
   m.damage.critical_work = critical_work_of_tension(m);
   m.damage.shear_length = T(0.22e-3);
@@ -61,6 +62,7 @@ template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string so
   m.room_temperature = T(293);
   m.melting_temperature = T(893);
   m.source += "; D1 to D5 of Clausen, Boervik, Hopperstad & Benallal 2004 (quoted), W_cr from them";
+  m.confidence = "medium: quoted alike in several papers, not checked against the original";
   m.damage.failure_strain = {T(0.0261), T(0.263), T(-0.349), T(0.147), T(16.8), T(1)};
   m.damage.critical_work = critical_work_of_tension(m);
   return m;
@@ -87,6 +89,7 @@ template <class T> Metal<T, Bilinear<T>> arne_tool_steel() {
   Metal<T, Bilinear<T>> m;
   m.name = "arne_tool_steel";
   m.source = "Liu et al. 2012, Table 3";
+  m.confidence = "high: read in the paper";
   m.density = T(7850);
   m.elasticity = {T(204e9), T(0.33)};
   m.eos = {PressureLaw::linear, T(1.49), T(1.93)};

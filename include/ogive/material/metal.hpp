@@ -33,6 +33,7 @@ requires FlowLaw<Law, T>
 struct Metal {
   std::string name;               ///< for messages and files
   std::string source;             ///< where the constants come from
+  std::string confidence;         ///< how far they can be trusted, in words; empty: not known
   T density{};                    ///< kg/m3
   Elasticity<T> elasticity{};     ///< isotropic
   EquationOfState<T> eos{};       ///< pressure
@@ -45,10 +46,11 @@ struct Metal {
   Damage<T> damage{};             ///< off unless set
 };
 
-/// The metal with a law of a more general type: Metal<T, AnyJohnsonCook<T>> of either of its laws.
+/// The metal with a law of a more general type: Metal<T, AnyJohnsonCook<T>> of any of its laws.
 template <class To, class T, class Law> Metal<T, To> with_law(const Metal<T, Law> &m) {
-  return {m.name,          m.source,         m.density,          m.elasticity,          m.eos,        To(m.flow),
-          m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor, m.damage};
+  return {m.name,     m.source,        m.confidence,     m.density,          m.elasticity,          m.eos,
+          To(m.flow), m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,
+          m.damage};
 }
 
 /// Longitudinal sound speed, m/s.
@@ -119,11 +121,9 @@ template <class T, class Law> void check(const Metal<T, Law> &m) {
   check(m.damage, m.name);
 }
 
-/// W_cr (Pa) with which Cockcroft & Latham's criterion fails a smooth bar in slow tension (triaxiality 1/3, at room
-/// temperature and the metal's smallest rate) at the plastic strain at which the metal's Johnson-Cook failure strain
-/// does: the integral of the flow stress up to there. For metals of which only D1 to D5 are published.
-template <class T, class Law> T critical_work_of_tension(const Metal<T, Law> &metal) {
-  const T end = failure_strain(metal.damage.failure_strain, T(1) / T(3), metal.rate_floor, T(0));
+/// Work of slow tension, Pa: the integral of the flow stress up to the plastic strain `end`, at room temperature and
+/// the metal's smallest rate.
+template <class T, class Law> T work_of_tension(const Metal<T, Law> &metal, T end) {
   // In s = sqrt(eps/end) the integrand is smooth where hardening starts steeply; the midpoint rule is good to 1e-6.
   constexpr int intervals = 1000;
   T work{};
@@ -133,6 +133,13 @@ template <class T, class Law> T critical_work_of_tension(const Metal<T, Law> &me
         T(2) * s * end / T(intervals) * flow_stress(metal, s * s * end, metal.rate_floor, metal.room_temperature).value;
   }
   return work;
+}
+
+/// W_cr (Pa) with which Cockcroft & Latham's criterion fails a smooth bar in slow tension (triaxiality 1/3, at room
+/// temperature and the metal's smallest rate) at the plastic strain at which the metal's Johnson-Cook failure strain
+/// does: work_of_tension() up to there. For metals of which only D1 to D5 are published.
+template <class T, class Law> T critical_work_of_tension(const Metal<T, Law> &metal) {
+  return work_of_tension(metal, failure_strain(metal.damage.failure_strain, T(1) / T(3), metal.rate_floor, T(0)));
 }
 
 } // namespace ogive

@@ -58,6 +58,7 @@ template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, 
     print.add(number);
   const FailureStrain<T> &f = m.damage.failure_strain;
   for (const T number : {f.D1, f.D2, f.D3, f.D4, f.D5, f.reference_rate}) print.add(number);
+  if (f.rate_term != FailureRateTerm::power) print.add(f.rate_term);
   print.add(m.eos.law), print.add(m.damage.law), print.add(m.damage.effect);
   for (const T strain : {T(0), T(0.01), T(0.3)})
     for (const T rate : {m.rate_floor, T(1e3) * m.rate_floor})
