@@ -96,7 +96,9 @@
                                         const std::vector<std::array<Index, 8>> &, double);                            \
   extern_ template void hand_over_forces(const Tie<double> &, Nodes<double> &);                                        \
   extern_ template void move_slaves(const Tie<double> &, Nodes<double> &);                                             \
-  extern_ template void rigidify(const RigidPart &, Nodes<double> &);                                                  \
+  extern_ template RigidPart<double> make_rigid_part(const Nodes<double> &, NodeRange);                                \
+  extern_ template void rigidify(RigidPart<double> &, Nodes<double> &, double, double);                                \
+  extern_ template Inertia<double> inertia_of(const Nodes<double> &, NodeRange, SymmetryPlanes);                       \
   extern_ template Vec3<double> support_impulse(const Nodes<double> &, double);                                        \
   extern_ template void integrate(Nodes<double> &, double, double);                                                    \
   extern_ template double kinetic_energy(const Nodes<double> &, NodeRange, double);

@@ -4,6 +4,7 @@
 #include "ogive/perforation/setup.hpp"
 #include "ogive/sim/hash.hpp"
 
+#include <numbers>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +36,15 @@ template <class Law> Metal<double, Law> brittle(Metal<double, Law> metal, Failur
   metal.damage.effect = effect;
   metal.damage.failure_strain = {0.1, 0, 0, 0, 0, 1};
   return metal;
+}
+
+/// The same at 30 degrees with a rigid projectile, which turns.
+inline PerforationCase<double> turning_case(Extent extent) {
+  auto c = small_case(Nose::blunt, extent);
+  c.sph_radius = 20e-3;
+  c.obliquity = std::numbers::pi / 6;
+  c.rigid_projectile = true;
+  return c;
 }
 
 /// The same with all that a shot can have: friction, damage with its effect, by the pressure of the neighbours and with

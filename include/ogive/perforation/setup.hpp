@@ -186,7 +186,7 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   model.contacts = std::move(contacts);
   model.particle_contacts = std::move(particle_contacts);
   model.ties = std::move(ties);
-  if (c.rigid_projectile) model.rigid_parts.push_back({projectile(model).nodes});
+  if (c.rigid_projectile) model.rigid_parts.push_back(make_rigid_part(model.nodes, projectile(model).nodes));
   if (of_hexes) add_conversion(model, options);
   return model;
 }
