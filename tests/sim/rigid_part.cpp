@@ -137,7 +137,7 @@ TEST_CASE("a blow beside the centre of mass moves and turns a rod, and leaves it
     auto part = make_rigid_part(nodes, all_of(nodes));
     nodes.force[4] = V(0, 7, -2 / dt); // held in y
     advance(part, nodes, dt, dt);
-    CHECK(nodes.velocity[1].norm() < 1e-9);
+    CHECK(nodes.velocity[1].norm() < 1e-4); // along the chord of a turn by 8e-6 rad
     CHECK(nodes.velocity[4][2] == Approx(-6));
     CHECK(nodes.velocity[2][2] == Approx(-2));
     for (const V &v : nodes.velocity) CHECK(v[1] == 0);

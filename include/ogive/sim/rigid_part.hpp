@@ -88,7 +88,9 @@ template <class T> RigidPart<T> make_rigid_part(const Nodes<T> &nodes, NodeRange
   RigidPart<T> part{range};
   if (!one_direction) return part;
   for (int d = 0; d < 3; ++d)
-    require(now.tensor(d, d) > T(0), "moment of inertia of a rigid part (kg m2)", now.tensor(d, d), "must be positive");
+    if (held == (1 << d))
+      require(now.tensor(d, d) > T(0), "moment of inertia of a rigid part (kg m2)", now.tensor(d, d),
+              "must be positive");
   require(held != held_none || determinant<T>(now.tensor) > T(1e-9) * std::pow(now.tensor.trace(), 3),
           "determinant of the inertia of a rigid part", determinant<T>(now.tensor),
           "must be positive: its nodes must not lie on a line");
