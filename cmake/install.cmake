@@ -42,4 +42,4 @@ install(FILES ${tables} apps/data/README.md DESTINATION "${CMAKE_INSTALL_DATADIR
 set(doc_dir "${CMAKE_INSTALL_DATADIR}/doc/ogive")
 install(FILES CHANGELOG.md CITATION.cff README.md DESTINATION "${doc_dir}")
 install(FILES LICENSE DESTINATION "${doc_dir}" RENAME copyright)
-install(DIRECTORY examples/ DESTINATION "${doc_dir}/examples" FILES_MATCHING PATTERN "*.cpp")
+install(DIRECTORY examples/ DESTINATION "${doc_dir}/examples" FILES_MATCHING PATTERN "*.cpp" PATTERN "*.toml")

@@ -4,6 +4,7 @@
 #include "material_keys.hpp"
 
 #include "ogive/material/library.hpp"
+#include "ogive/material/projectile_metals.hpp"
 
 namespace materials {
 
@@ -28,6 +29,11 @@ AnyMetal aa5083_h116_25mm(Model model) {
 constexpr auto metals = std::to_array<LibraryMetal>({{"weldox_460e", "Weldox 460 E", 0.08, weldox_460e},
                                                      {"aa5083_h116", "AA5083-H116", 0.02, aa5083_h116},
                                                      {"aa5083_h116_25mm", "AA5083-H116", 0.02, aa5083_h116_25mm}});
+
+/// The steels of the projectiles.
+std::vector<ogive::Metal<double, ogive::Bilinear<double>>> projectile_metals() {
+  return {library::arne_tool_steel<double>(), library::apm2_core_steel<double>(), library::fsp_steel<double>()};
+}
 
 /// A metal with the name that the user knows it by.
 AnyMetal made(const LibraryMetal &entry, Model model) {
@@ -70,6 +76,17 @@ std::vector<std::string> library_names() {
 
 bool is_material_file(std::string_view material) { return material.ends_with(".toml"); }
 
+std::vector<std::string> projectile_metal_names() {
+  std::vector<std::string> names;
+  for (const auto &steel : projectile_metals()) names.push_back(steel.name);
+  return names;
+}
+
+std::string allowed_projectile_metals() {
+  return "one of " + options::joined(projectile_metal_names()) + ", " + options::names_in(metals) +
+         ", or a file that ends in .toml";
+}
+
 std::string allowed_materials() { return "one of " + options::names_in(metals) + ", or a file that ends in .toml"; }
 
 std::string label_of(const std::string &material) {
@@ -78,7 +95,10 @@ std::string label_of(const std::string &material) {
 
 AnyMetal find_metal(const std::string &material, Model model, const std::string &origin) {
   const LibraryMetal *metal = find_library_metal(material);
-  return metal == nullptr ? read(material, origin) : made(*metal, model);
+  if (metal != nullptr) return made(*metal, model);
+  for (const auto &steel : projectile_metals())
+    if (steel.name == material) return steel;
+  return read(material, origin);
 }
 
 std::string described(const AnyMetal &any) {
@@ -91,11 +111,12 @@ std::string library_list() {
       "folder of results. Damage is off unless --damage or --method chooses it.\n";
   for (const LibraryMetal &entry : metals) {
     text += "\n" + std::string(entry.name) + "\n";
-    for (const auto &model : models) text += described(made(entry, model.value));
+    for (const auto &model : models)
+      if (const AnyMetal metal = made(entry, model.value); model_of(metal) == model.value) text += described(metal);
   }
-  const auto projectile = library::arne_tool_steel<double>();
-  return text + "\n" + projectile.name + ", of the projectiles, not for --material\n" +
-         described(projectile, "bilinear");
+  for (const auto &steel : projectile_metals())
+    text += "\n" + steel.name + ", for --projectile-metal\n" + described(steel, "bilinear");
+  return text;
 }
 
 } // namespace materials

@@ -33,14 +33,20 @@ std::string allowed_materials();
 /// Name of the material in the name of a folder: of a file its stem.
 std::string label_of(const std::string &material);
 
-/// A metal as its constants are, with nothing chosen; one of the library with this flow law. Throws SetupError;
-/// `origin` is the flag, or file, line and key, that names the file.
+/// The names of the metals of projectiles, which have one flow law each.
+std::vector<std::string> projectile_metal_names();
+
+/// "one of <names>, or a file that ends in .toml", of metals that a projectile may have: its own and those of plates.
+std::string allowed_projectile_metals();
+
+/// A metal as its constants are, with nothing chosen; one of the library with this flow law, or of the projectiles.
+/// Throws SetupError; `origin` is the flag, or file, line and key, that names the file.
 AnyMetal find_metal(const std::string &material, Model model, const std::string &origin);
 
 /// The constants and the source of a metal, in lines of at most 100 columns.
 std::string described(const AnyMetal &metal);
 
-/// The same for all metals of the library with both laws, and for the steel of the projectiles.
+/// The same for all metals of the library with both laws, and for the steels of the projectiles.
 std::string library_list();
 
 } // namespace materials

@@ -90,11 +90,14 @@ template <class M> std::string keys_of(const M &metal) {
   return "its keys are " + needed + "; optional are " + optional + ", with + between those that belong together";
 }
 
-/// Refuses a file without a model: names what either model would miss or not know.
+/// Refuses a file without a model: names what every model would miss or not know.
 [[noreturn]] void refuse_without_model(const std::vector<Given> &entries, const std::string &file) {
-  const Misfits mjc = find_misfits(std::variant_alternative_t<0, AnyMetal>{}, entries);
-  const Misfits jc = find_misfits(std::variant_alternative_t<1, AnyMetal>{}, entries);
-  const Misfits either{common(mjc.missing, jc.missing), common(mjc.superfluous, jc.superfluous)};
+  Misfits either = find_misfits(std::variant_alternative_t<0, AnyMetal>{}, entries);
+  const auto keep_common = [&](const Misfits &other) {
+    either = {common(either.missing, other.missing), common(either.superfluous, other.superfluous)};
+  };
+  keep_common(find_misfits(std::variant_alternative_t<1, AnyMetal>{}, entries));
+  keep_common(find_misfits(std::variant_alternative_t<2, AnyMetal>{}, entries));
   throw ogive::SetupError(printable(file) + ": " + text_of(either) + "; model must be one of " +
                           options::names_in(models) + " and decides which keys there are");
 }
@@ -119,9 +122,17 @@ void assign(const Key &, ogive::RateFactor &value, const Given &given) {
 /// The model has chosen the type already.
 void assign(const Key &, const Model &, const Given &) {}
 
+/// Checks that the metal has strength.
+template <class Law> void check_strength(const Law &law, const std::vector<Given> &entries) {
+  if (!(law.A + law.B > 0)) refuse(*find(entries, "A_MPa"), "A_MPa or B_MPa must be positive");
+}
+void check_strength(const ogive::Bilinear<double> &law, const std::vector<Given> &entries) {
+  if (!(law.yield > 0)) refuse(*find(entries, "yield_MPa"), "must be positive");
+}
+
 /// Checks what belongs together, the constants of damage as if they were used.
 template <class M> void check_all(M metal, const std::vector<Given> &entries, const std::string &file) {
-  if (!(metal.flow.A + metal.flow.B > 0)) refuse(*find(entries, "A_MPa"), "A_MPa or B_MPa must be positive");
+  check_strength(metal.flow, entries);
   if (!(metal.melting_temperature > metal.room_temperature))
     refuse(*find(entries, "melting_temperature_K"), "must lie above room_temperature_K");
   if (const Given *D1 = find(entries, "D1"))
@@ -173,9 +184,10 @@ AnyMetal parse(std::string_view text, const std::string &file) {
   const auto entries = options::toml_entries(text, file, "A_MPa = 503.0");
   const Given *model = find(entries, "model");
   if (model == nullptr) refuse_without_model(entries, file);
-  if (options::choice_given(*model, models) == Model::mjc)
-    return metal_from<std::variant_alternative_t<0, AnyMetal>>(entries, file);
-  return metal_from<std::variant_alternative_t<1, AnyMetal>>(entries, file);
+  const Model chosen = options::choice_given(*model, models);
+  if (chosen == Model::mjc) return metal_from<std::variant_alternative_t<0, AnyMetal>>(entries, file);
+  if (chosen == Model::jc) return metal_from<std::variant_alternative_t<1, AnyMetal>>(entries, file);
+  return metal_from<std::variant_alternative_t<2, AnyMetal>>(entries, file);
 }
 
 std::string to_toml(const AnyMetal &any, const std::string &comment) {

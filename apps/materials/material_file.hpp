@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/material/johnson_cook.hpp"
+#include "ogive/material/any_flow_law.hpp"
 #include "ogive/material/metal.hpp"
 
 #include <filesystem>
@@ -16,11 +16,12 @@
 namespace materials {
 
 /// The flow laws that a file can have.
-enum class Model { mjc, jc };
+enum class Model { mjc, jc, bilinear };
 
-/// A metal with either law.
-using AnyMetal = std::variant<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>,
-                              ogive::Metal<double, ogive::JohnsonCook<double>>>;
+/// A metal with one of the laws.
+using AnyMetal =
+    std::variant<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>,
+                 ogive::Metal<double, ogive::JohnsonCook<double>>, ogive::Metal<double, ogive::Bilinear<double>>>;
 
 /// The metal in a file. Damage is off whatever constants of it there are: the run chooses. Throws SetupError, one line:
 /// all keys that are missing or superfluous, or file, line, key, value and what is allowed; "<what> = <file>: ..." if

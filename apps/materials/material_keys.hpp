@@ -4,8 +4,6 @@
 #include "material_file.hpp"
 #include "options/given.hpp"
 
-#include "ogive/material/bilinear.hpp"
-
 /// \file
 /// The one table of a material file: names, meaning, limits, units and members. Reading, writing, errors and the list
 /// of the library all read it.
@@ -33,21 +31,23 @@ struct Key {
 inline constexpr auto rate_factors = options::named<ogive::RateFactor>(
     {{ogive::RateFactor::logarithmic, "logarithmic"}, {ogive::RateFactor::power, "power"}});
 
-inline constexpr auto models = options::named<Model>({{Model::mjc, "mjc"}, {Model::jc, "jc"}});
+inline constexpr auto models =
+    options::named<Model>({{Model::mjc, "mjc"}, {Model::jc, "jc"}, {Model::bilinear, "bilinear"}});
 
 constexpr auto choices(Model) { return models; }
 
 constexpr Model model_of(const ogive::ModifiedJohnsonCook<double> &) { return Model::mjc; }
 constexpr Model model_of(const ogive::JohnsonCook<double> &) { return Model::jc; }
+constexpr Model model_of(const ogive::Bilinear<double> &) { return Model::bilinear; }
 
 /// Calls `f(key, value)` for each constant of a flow law.
 template <class Law, class F> void for_each_flow_key(Law &law, F &&f) {
+  const Model model = model_of(law);
+  f(Key{"model", "modified (mjc) or classical (jc) Johnson-Cook, or bilinear"}, model);
   if constexpr (std::is_same_v<std::remove_const_t<Law>, ogive::Bilinear<double>>) {
     f(Key{"yield_MPa", "yield stress", {0, 1e5, "MPa"}, 6}, law.yield);
     f(Key{"hardening_MPa", "plastic modulus", {0, 1e6, "MPa"}, 6}, law.hardening);
   } else {
-    const Model model = model_of(law);
-    f(Key{"model", "modified (mjc) or classical (jc) Johnson-Cook"}, model);
     f(Key{"A_MPa", "yield stress", {0, 1e5, "MPa"}, 6}, law.A);
     f(Key{"B_MPa", "hardening", {0, 1e5, "MPa"}, 6}, law.B);
   }

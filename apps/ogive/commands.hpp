@@ -32,6 +32,7 @@ int limit(const options::Arguments &arguments);
 int sweep(const options::Arguments &arguments);
 int mesh(const options::Arguments &arguments);
 int materials(const options::Arguments &arguments);
+int projectiles(const options::Arguments &arguments);
 int draw(const options::Arguments &arguments);
 int calibrate(const options::Arguments &arguments);
 
@@ -46,6 +47,7 @@ options::Table limit_table();
 options::Table sweep_table();
 options::Table mesh_table();
 options::Table materials_table();
+options::Table projectiles_table();
 options::Table draw_table();
 options::Table calibrate_table();
 

@@ -18,7 +18,8 @@ const std::vector<Subcommand> &subcommands() {
       {"mesh", "write the model of a shot for ParaView, print its mesh quality", mesh, mesh_table},
       {"calibrate", "fit a metal's flow law to tensile curves", calibrate, calibrate_table},
       {"draw", "draw sections and curves of results", draw, draw_table, false},
-      {"materials", "list, show or check metals", materials, materials_table, false}};
+      {"materials", "list, show or check metals", materials, materials_table, false},
+      {"projectiles", "list the projectiles with their sizes and sources", projectiles, projectiles_table, false}};
   return all;
 }
 

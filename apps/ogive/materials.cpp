@@ -27,9 +27,13 @@ options::Table table_of(std::vector<std::string> &words, ::materials::Model &mod
 /// Prints a metal as a file for --material.
 void show(const std::string &name, ::materials::Model model) {
   using namespace ::materials;
-  if (!is_material_file(name) && find_library_metal(name) == nullptr)
-    throw ogive::SetupError("show = " + options::printable(name) + ": must be " + allowed_materials() +
+  const auto steels = projectile_metal_names();
+  const bool of_projectile = std::find(steels.begin(), steels.end(), name) != steels.end();
+  if (!is_material_file(name) && !of_projectile && find_library_metal(name) == nullptr)
+    throw ogive::SetupError("show = " + options::printable(name) + ": must be " + allowed_projectile_metals() +
                             options::nearest_text(name, library_names()));
+  if (find_library_metal(name) != nullptr && model == Model::bilinear)
+    throw ogive::SetupError("model = bilinear: must be mjc or jc for " + name);
   std::cout << to_toml(find_metal(name, model, "show"),
                        name + "\nA copy with other numbers is a metal for --material.");
 }

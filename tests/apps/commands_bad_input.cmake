@@ -66,8 +66,8 @@ set(materials "${OGIVE};materials")
 refuses("${materials}" "lst: must be list, show or check, the nearest is list" lst)
 refuses("${materials}" "list: takes no names" list weldox_460e)
 refuses("${materials}" "show: needs the names of metals or files" show)
-refuses("${materials}" "show = weldox_460: must be one of weldox_460e, aa5083_h116, aa5083_h116_25mm, or a file that ends in \
-.toml, the nearest is weldox_460e" show weldox_460)
+refuses("${materials}" "show = weldox_460: must be one of arne_tool_steel, apm2_core_steel, fsp_steel, weldox_460e, aa5083_h116, \
+aa5083_h116_25mm, or a file that ends in .toml, the nearest is weldox_460e" show weldox_460)
 refuses("${materials}" "show = missing.toml: must be a TOML file that can be read" show missing.toml)
 refuses("${materials}" "check = missing.toml: must be a TOML file that can be read" check missing.toml)
 refuses("${materials}" "half.toml: model \"jc\" lacks density_kg_per_m3, " check half.toml)

@@ -117,8 +117,9 @@ TEST_CASE("a restarted shot ends with the bits of one that never stopped", "[sim
   SECTION("a rigid projectile that turns, removal") {
     const auto plate = brittle(library::weldox_460e_mjc<double>(), FailureEffect::removal);
     const auto make = [&] {
-      return make_perforation(turning_case(Extent::half), std::vector{with_law<AnyJohnsonCook<double>>(plate)},
-                              library::arne_tool_steel<double>(), {}, AnyDiscretisation{});
+      return make_perforation(turning_case(Extent::half), std::vector{with_law<AnyFlowLaw<double>>(plate)},
+                              with_law<AnyFlowLaw<double>>(library::arne_tool_steel<double>()), {},
+                              AnyDiscretisation{});
     };
     CHECK(turns(make().rigid_parts[0]));
     compare(make, {0, 41});

@@ -67,7 +67,8 @@ auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical, cons
   numerics.sph.damage_pressure = DamagePressure::neighbours;
   const auto steel = library::arne_tool_steel<double>();
   if constexpr (std::is_same_v<Parts, AnyDiscretisation>)
-    return make_perforation(c, std::vector{with_law<AnyJohnsonCook<double>>(plate)}, steel, numerics, parts);
+    return make_perforation(c, std::vector{with_law<AnyFlowLaw<double>>(plate)}, with_law<AnyFlowLaw<double>>(steel),
+                            numerics, parts);
   else
     return make_perforation(c, std::vector{plate}, steel, numerics, parts);
 }

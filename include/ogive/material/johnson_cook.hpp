@@ -67,7 +67,4 @@ FlowStress<N> flow_stress(const JohnsonCook<T> &law, N plastic_strain, N rate, N
           hardening.value * slope * thermal.value, hardening.value * factor * thermal.slope};
 }
 
-/// Either law, chosen when the program runs.
-template <class T> using AnyJohnsonCook = std::variant<ModifiedJohnsonCook<T>, JohnsonCook<T>>;
-
 } // namespace ogive
