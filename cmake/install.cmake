@@ -43,4 +43,4 @@ install(DIRECTORY apps/data/metals DESTINATION "${CMAKE_INSTALL_DATADIR}/ogive/d
 set(doc_dir "${CMAKE_INSTALL_DATADIR}/doc/ogive")
 install(FILES CHANGELOG.md CITATION.cff README.md DESTINATION "${doc_dir}")
 install(FILES LICENSE DESTINATION "${doc_dir}" RENAME copyright)
-install(DIRECTORY examples/ DESTINATION "${doc_dir}/examples" FILES_MATCHING PATTERN "*.cpp")
+install(DIRECTORY examples/ DESTINATION "${doc_dir}/examples" FILES_MATCHING PATTERN "*.cpp" PATTERN "*.toml")

@@ -3,6 +3,6 @@
 
 namespace ogive {
 
-OGIVE_PERFORATION(, instances::AnyShot, instances::AnyLaw, AnyDiscretisation)
+OGIVE_PERFORATION(, instances::AnyShot, instances::AnyLaw, instances::AnyLaw, AnyDiscretisation)
 
 } // namespace ogive

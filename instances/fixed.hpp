@@ -26,6 +26,6 @@ OGIVE_HEXES(extern, instances::SteelHexesOfPoints)
 OGIVE_PARTICLES(extern, instances::PlateParticles)
 OGIVE_HEXES(extern, instances::PlateHexes)
 OGIVE_HEXES(extern, instances::PlateHexesOfPoints)
-OGIVE_PERFORATION(extern, instances::FixedShot, ModifiedJohnsonCook<double>, Discretisation<>)
+OGIVE_PERFORATION(extern, instances::FixedShot, ModifiedJohnsonCook<double>, Bilinear<double>, Discretisation<>)
 
 } // namespace ogive

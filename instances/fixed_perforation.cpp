@@ -3,6 +3,6 @@
 
 namespace ogive {
 
-OGIVE_PERFORATION(, instances::FixedShot, ModifiedJohnsonCook<double>, Discretisation<>)
+OGIVE_PERFORATION(, instances::FixedShot, ModifiedJohnsonCook<double>, Bilinear<double>, Discretisation<>)
 
 } // namespace ogive

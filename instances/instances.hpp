@@ -50,10 +50,11 @@
   extern_ template Fault inverted_fault(const __VA_ARGS__ &, const Nodes<double> &, Index);                            \
   extern_ template void gather_body(Frame &, const Nodes<double> &, const __VA_ARGS__ &, int);
 
-/// The functions of a type of perforation model, with the flow law of its plates and its Discretisation.
-#define OGIVE_PERFORATION(extern_, Model_, Law_, Parts_)                                                               \
+/// The functions of a type of perforation model, with the flow laws of its plates and its projectile and its
+/// Discretisation.
+#define OGIVE_PERFORATION(extern_, Model_, Law_, ShotLaw_, Parts_)                                                     \
   extern_ template Model_ make_perforation(const PerforationCase<double> &, const std::vector<Metal<double, Law_>> &,  \
-                                           const Metal<double, Bilinear<double>> &, PerforationOptions<double>,        \
+                                           const Metal<double, ShotLaw_> &, PerforationOptions<double>,                \
                                            const Parts_ &);                                                            \
   extern_ template void step(Model_ &, double);                                                                        \
   extern_ template Energy<double> energy(const Model_ &);                                                              \
@@ -96,7 +97,9 @@
                                         const std::vector<std::array<Index, 8>> &, double);                            \
   extern_ template void hand_over_forces(const Tie<double> &, Nodes<double> &);                                        \
   extern_ template void move_slaves(const Tie<double> &, Nodes<double> &);                                             \
-  extern_ template void rigidify(const RigidPart &, Nodes<double> &);                                                  \
+  extern_ template RigidPart<double> make_rigid_part(const Nodes<double> &, NodeRange);                                \
+  extern_ template void rigidify(RigidPart<double> &, Nodes<double> &, double, double);                                \
+  extern_ template Inertia<double> inertia_of(const Nodes<double> &, NodeRange, SymmetryPlanes);                       \
   extern_ template Vec3<double> support_impulse(const Nodes<double> &, double);                                        \
   extern_ template void integrate(Nodes<double> &, double, double);                                                    \
   extern_ template double kinetic_energy(const Nodes<double> &, NodeRange, double);
@@ -133,17 +136,15 @@ OGIVE_CONTACTS(extern)
 namespace instances {
 
 /// What programs run: law, kernel, form and rule are chosen when they run.
-using AnyLaw = AnyJohnsonCook<double>;
+using AnyLaw = AnyFlowLaw<double>;
 using AnyParticles = SphBody<double, AnyLaw, AnyKernel, AnyForm>;
 using AnyHexes = HexBody<double, AnyLaw, AnyRule>;
-using AnyProjectile = HexBody<double, Bilinear<double>, AnyRule>;
 using AnyShot = AnyPerforationModel<double>;
 
 } // namespace instances
 
 OGIVE_PARTICLES(extern, instances::AnyParticles)
 OGIVE_HEXES(extern, instances::AnyHexes)
-OGIVE_HEXES(extern, instances::AnyProjectile)
-OGIVE_PERFORATION(extern, instances::AnyShot, instances::AnyLaw, AnyDiscretisation)
+OGIVE_PERFORATION(extern, instances::AnyShot, instances::AnyLaw, instances::AnyLaw, AnyDiscretisation)
 
 } // namespace ogive

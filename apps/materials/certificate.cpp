@@ -20,6 +20,8 @@ ogive::JohnsonCookFactors<double> factors_of(const ogive::PowerLaw<double> &law)
 ogive::JohnsonCookFactors<double> factors_of(const ogive::ModifiedJohnsonCook<double> &law) {
   return {law.C, law.b, 1, ogive::RateFactor::power};
 }
+/// It has none; metal_of() refuses it.
+ogive::JohnsonCookFactors<double> factors_of(const ogive::Bilinear<double> &) { return {}; }
 
 /// All of a metal but its flow law and damage.
 template <class To> ogive::Metal<double, To> like(const AnyMetal &other) {
@@ -94,6 +96,8 @@ std::string kind_of(double young) {
 
 CertifiedMetal metal_of(const Certificate &c, Model law, const std::string &other, const std::string &name) {
   const AnyMetal metal = find_metal(other, Model::jc, "--like");
+  if (model_of(metal) == Model::bilinear)
+    options::refuse("--like", other, "must have effects of rate and temperature, its model is bilinear");
   if (law == Model::voce) {
     auto m = like<ogive::Voce<double>>(metal);
     set_hardening(m, ogive::voce_of(c.numbers, *c.uniform_elongation));

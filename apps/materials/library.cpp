@@ -5,6 +5,7 @@
 #include "options/data_folder.hpp"
 
 #include "ogive/material/library.hpp"
+#include "ogive/material/projectile_metals.hpp"
 
 namespace materials {
 
@@ -55,6 +56,11 @@ constexpr auto metals = std::to_array<LibraryMetal>({{"weldox_460e", "Weldox 460
                                                      {"gilding_metal", "Gilding metal", steel},
                                                      {"lead", "Lead", steel}});
 
+/// The steels of the projectiles.
+std::vector<ogive::Metal<double, ogive::Bilinear<double>>> projectile_metals() {
+  return {library::arne_tool_steel<double>(), library::apm2_core_steel<double>(), library::fsp_steel<double>()};
+}
+
 /// A metal with the name that the user knows it by.
 AnyMetal made(const LibraryMetal &entry, Model model) {
   AnyMetal any = entry.make(model);
@@ -74,6 +80,10 @@ std::string damage_of(const AnyMetal &metal) {
 std::string row(const std::string &name, const std::string &laws, const std::string &damage, const std::string &how) {
   const std::string start = options::printed("%-18s %-10s %-12s ", name.c_str(), laws.c_str(), damage.c_str());
   return options::broken(start, how, start.size());
+}
+std::string row(const AnyMetal &metal, const std::string &laws) {
+  const std::string &how = std::visit([](const auto &any) -> const std::string & { return any.confidence; }, metal);
+  return row(name_of(metal), laws, damage_of(metal), how.substr(0, how.find(':')));
 }
 
 } // namespace
@@ -101,6 +111,22 @@ std::filesystem::path file_of(const LibraryMetal &metal) {
   return options::data_folder() / "metals" / (std::string(metal.name) + ".toml");
 }
 
+std::vector<std::string> projectile_metal_names() {
+  std::vector<std::string> names;
+  for (const auto &steel : projectile_metals()) names.push_back(steel.name);
+  return names;
+}
+
+bool is_known(std::string_view material) {
+  const auto steels = projectile_metals();
+  return is_material_file(material) || find_library_metal(material) != nullptr ||
+         std::any_of(steels.begin(), steels.end(), [&](const auto &one) { return one.name == material; });
+}
+
+std::string allowed_projectile_metals() {
+  return "one of " + options::joined(projectile_metal_names()) + ", or " + allowed_materials();
+}
+
 std::string allowed_materials() { return "a metal that ogive materials lists, or a file that ends in .toml"; }
 
 std::string label_of(const std::string &material) {
@@ -109,8 +135,10 @@ std::string label_of(const std::string &material) {
 
 AnyMetal find_metal(const std::string &material, Model model, const std::string &origin) {
   const LibraryMetal *metal = find_library_metal(material);
-  if (metal == nullptr) return read(material, origin);
-  return metal->make == nullptr ? read(file_of(*metal), origin) : made(*metal, model);
+  if (metal != nullptr) return metal->make == nullptr ? read(file_of(*metal), origin) : made(*metal, model);
+  for (const auto &projectile : projectile_metals())
+    if (projectile.name == material) return projectile;
+  return read(material, origin);
 }
 
 std::string library_list() {
@@ -119,10 +147,10 @@ std::string library_list() {
       row("name", "flow law", "damage", "confidence");
   for (const LibraryMetal &entry : metals) {
     const AnyMetal metal = find_metal(std::string(entry.name), Model::mjc, "list");
-    const std::string laws = entry.make == nullptr ? name_of(model_of(metal)) : "mjc, jc";
-    const std::string how = std::visit([](const auto &m) { return m.confidence; }, metal);
-    text += row(std::string(entry.name), laws, damage_of(metal), how.substr(0, how.find(':')));
+    text += row(metal, entry.make == nullptr ? name_of(model_of(metal)) : "mjc, jc");
   }
+  text += "\nSteels of projectiles, for --projectile-metal alone, which takes all others, too:\n\n";
+  for (const auto &projectile : projectile_metals()) text += row(projectile, name_of(Model::bilinear));
   return text + "\nWhat is from memory has low confidence: check it against its source before you rely on it.\n";
 }
 

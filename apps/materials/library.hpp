@@ -40,11 +40,21 @@ std::string allowed_materials();
 /// Name of the material in the name of a folder: of a file its stem.
 std::string label_of(const std::string &material);
 
-/// A metal as its constants are, with nothing chosen; one of the library with this flow law where it can have several.
-/// Throws SetupError; `origin` is the flag, or file, line and key, that names the file.
+/// The names of the metals of projectiles, which have one flow law each.
+std::vector<std::string> projectile_metal_names();
+
+/// True for a file, and for the name of a metal that a plate or a projectile may have.
+bool is_known(std::string_view material);
+
+/// "one of <names>, or ..." with allowed_materials(): metals that a projectile may have, its own and those of plates.
+std::string allowed_projectile_metals();
+
+/// A metal as its constants are, with nothing chosen; one of the library with this flow law where it can have several,
+/// or one of the projectiles. Throws SetupError; `origin` is the flag, or file, line and key, that names the file.
 AnyMetal find_metal(const std::string &material, Model model, const std::string &origin);
 
-/// A line for each metal of the library, at most 100 columns: name, flow laws, constants of damage, confidence.
+/// A line for each metal of the library and of the projectiles, at most 100 columns: name, flow laws, constants of
+/// damage, confidence.
 std::string library_list();
 
 } // namespace materials

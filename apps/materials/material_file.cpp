@@ -103,9 +103,11 @@ template <class F> AnyMetal with_model(Model model, F &&f) {
   case Model::voce:
     return f(std::variant_alternative_t<2, AnyMetal>{});
   case Model::power_law:
+    return f(std::variant_alternative_t<3, AnyMetal>{});
+  case Model::bilinear:
     break;
   }
-  return f(std::variant_alternative_t<3, AnyMetal>{});
+  return f(std::variant_alternative_t<4, AnyMetal>{});
 }
 
 /// Refuses a file without a model: names what every model would miss or not know.
@@ -160,6 +162,9 @@ void check_hardening(const ogive::Voce<double> &law, const std::vector<Given> &e
     refuse(*find(entries, "A_MPa"), "must be positive, with Q1_MPa and Q2_MPa where those are negative");
 }
 void check_hardening(const ogive::PowerLaw<double> &, const std::vector<Given> &) {}
+void check_hardening(const ogive::Bilinear<double> &law, const std::vector<Given> &entries) {
+  if (!(law.yield > 0)) refuse(*find(entries, "yield_MPa"), "must be positive");
+}
 
 /// Checks what belongs together, the constants of damage as if they were used.
 template <class M> void check_all(M metal, const std::vector<Given> &entries, const std::string &file) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/material/johnson_cook.hpp"
+#include "ogive/material/any_flow_law.hpp"
 #include "ogive/material/metal.hpp"
 
 #include <filesystem>
@@ -15,14 +15,15 @@
 
 namespace materials {
 
-/// The flow laws that a file can have: modified and classical Johnson-Cook, and with the factors of the classical law
-/// Voce hardening and the power law of the total strain.
-enum class Model { mjc, jc, voce, power_law };
+/// The flow laws that a file can have: modified and classical Johnson-Cook; with the factors of the classical law Voce
+/// hardening and the power law of the total strain; and bilinear hardening, which is that of the projectiles' steels.
+enum class Model { mjc, jc, voce, power_law, bilinear };
 
 /// A metal with any of these laws, in the order of Model.
-using AnyMetal = std::variant<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>,
-                              ogive::Metal<double, ogive::JohnsonCook<double>>,
-                              ogive::Metal<double, ogive::Voce<double>>, ogive::Metal<double, ogive::PowerLaw<double>>>;
+using AnyMetal =
+    std::variant<ogive::Metal<double, ogive::ModifiedJohnsonCook<double>>,
+                 ogive::Metal<double, ogive::JohnsonCook<double>>, ogive::Metal<double, ogive::Voce<double>>,
+                 ogive::Metal<double, ogive::PowerLaw<double>>, ogive::Metal<double, ogive::Bilinear<double>>>;
 
 /// The metal in a file. Damage is off whatever constants of it there are: the run chooses. Throws SetupError, one line:
 /// all keys that are missing or superfluous, or file, line, key, value and what is allowed; "<what> = <file>: ..." if

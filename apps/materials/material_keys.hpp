@@ -4,8 +4,6 @@
 #include "material_file.hpp"
 #include "options/given.hpp"
 
-#include "ogive/material/bilinear.hpp"
-
 /// \file
 /// The one table of a material file: names, meaning, limits, units and members. Reading, writing, errors and the list
 /// of the library all read it.
@@ -36,8 +34,11 @@ inline constexpr auto rate_factors = options::named<ogive::RateFactor>(
 inline constexpr auto rate_terms = options::named<ogive::FailureRateTerm>(
     {{ogive::FailureRateTerm::power, "power"}, {ogive::FailureRateTerm::logarithmic, "logarithmic"}});
 
-inline constexpr auto models = options::named<Model>(
-    {{Model::mjc, "mjc"}, {Model::jc, "jc"}, {Model::voce, "voce"}, {Model::power_law, "power_law"}});
+inline constexpr auto models = options::named<Model>({{Model::mjc, "mjc"},
+                                                      {Model::jc, "jc"},
+                                                      {Model::voce, "voce"},
+                                                      {Model::power_law, "power_law"},
+                                                      {Model::bilinear, "bilinear"}});
 
 constexpr auto choices(Model) { return models; }
 
@@ -45,6 +46,7 @@ constexpr Model model_of(const ogive::ModifiedJohnsonCook<double> &) { return Mo
 constexpr Model model_of(const ogive::JohnsonCook<double> &) { return Model::jc; }
 constexpr Model model_of(const ogive::Voce<double> &) { return Model::voce; }
 constexpr Model model_of(const ogive::PowerLaw<double> &) { return Model::power_law; }
+constexpr Model model_of(const ogive::Bilinear<double> &) { return Model::bilinear; }
 
 /// Calls `f(key, value)` for the constants of a rate factor and a thermal factor, of a law or of JohnsonCookFactors.
 template <class Factors, class F> void for_each_factor_key(Factors &factors, F &&f) {
@@ -58,12 +60,11 @@ template <class Factors, class F> void for_each_factor_key(Factors &factors, F &
 template <class Law, class F> void for_each_flow_key(Law &law, F &&f) {
   using Plain = std::remove_const_t<Law>;
   constexpr options::Limits stress{0, 1e5, "MPa"}, change{-1e5, 1e5, "MPa"}, exponent{0.001, 10}, speed{0.001, 1e5};
+  const Model model = model_of(law);
+  f(Key{"model", "flow law: mjc, jc, voce, power_law or bilinear"}, model);
   if constexpr (std::is_same_v<Plain, ogive::Bilinear<double>>) {
     f(Key{"yield_MPa", "yield stress", stress, 6}, law.yield);
     f(Key{"hardening_MPa", "plastic modulus", {0, 1e6, "MPa"}, 6}, law.hardening);
-  } else {
-    const Model model = model_of(law);
-    f(Key{"model", "flow law: mjc, jc, voce or power_law"}, model);
   }
   if constexpr (std::is_same_v<Plain, ogive::ModifiedJohnsonCook<double>>) {
     f(Key{"A_MPa", "yield stress", stress, 6}, law.A);

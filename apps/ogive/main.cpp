@@ -19,7 +19,8 @@ const std::vector<Subcommand> &subcommands() {
       {"calibrate", "fit a metal's flow law to tensile curves", calibrate, calibrate_table},
       {"draw", "draw sections and curves of results", draw, draw_table, false},
       {"view", "write a result as a page to turn in the browser", view, view_table, false},
-      {"materials", "list, show or check metals", materials, materials_table, false}};
+      {"materials", "list, show or check metals", materials, materials_table, false},
+      {"projectiles", "list the projectiles with their sizes and sources", projectiles, projectiles_table, false}};
   return all;
 }
 

@@ -2,6 +2,7 @@
 #include "defaults.hpp"
 
 #include "materials/library.hpp"
+#include "named_projectile.hpp"
 #include "ogive/perforation/method.hpp"
 #include "plates.hpp"
 #include "projectile.hpp"
@@ -11,11 +12,11 @@ namespace shot {
 
 namespace {
 
-/// Coulomb friction of the paper: 0 for blunt noses; for the others 0.08 on steel and 0.02 on aluminium. The paper
-/// gives it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the metal of a file is
-/// taken for steel.
+/// Coulomb friction of the paper: 0 for blunt noses, and so for chisels; for the others 0.08 on steel and 0.02 on
+/// aluminium. The paper gives it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the
+/// metal of a file is taken for steel.
 double default_friction(Nose nose, const std::string &material) {
-  if (nose == Nose::blunt) return 0;
+  if (nose == Nose::blunt || nose == Nose::chisel) return 0;
   const materials::LibraryMetal *metal = materials::find_library_metal(material);
   return metal == nullptr ? 0.08 : metal->sharp_friction;
 }
@@ -30,6 +31,11 @@ std::optional<double> default_damage_length_mm(Method method, DamageLaw damage) 
 /// The value of an option in the name of a folder, numbers without the last digits of a conversion; empty for lists,
 /// texts and files, which the name has already.
 std::string label_of(const options::Option &option) {
+  if (option.key == std::string_view("projectile_metal")) {
+    const std::string metal = shown(option);
+    return materials::label_of(metal);
+  }
+  if (option.key == std::string_view("rigid")) return option.toml();
   if (option.kind == options::Kind::number) {
     const auto number = ogive::number_from(option.toml());
     return number ? options::shortest(std::round(*number * 1e6) / 1e6) : "";
@@ -37,9 +43,25 @@ std::string label_of(const options::Option &option) {
   return option.kind == options::Kind::choice ? shown(option) : "";
 }
 
+/// The options of the projectile that the folder's name states: of a named one what the library gives, of one from a
+/// file all of it.
+Options usual_projectile(const Options &o) {
+  Options usual;
+  const options::Table table = table_of(usual);
+  options::Origins origins;
+  if (is_library_projectile(o.projectile)) {
+    for (const options::Given &given : level_of_projectile({"projectile", "projectile", o.projectile}, "").given)
+      options::apply(table, origins, given);
+  } else if (!o.projectile.empty()) {
+    copy_projectile(o, usual);
+  }
+  return usual;
+}
+
 /// The case of which the folder's name states everything before the differences.
 Options usual(const Options &o) {
-  Options usual;
+  const Options named = usual_projectile(o);
+  Options usual = named;
   usual.material = o.material;
   usual.model = o.model;
   usual.method = o.method;
@@ -48,12 +70,20 @@ Options usual(const Options &o) {
   usual.diameter_mm = o.diameter_mm;
   usual.velocity_mps = o.velocity_mps;
   usual.obliquity_deg = o.obliquity_deg;
+  usual.pitch_deg = o.pitch_deg, usual.yaw_deg = o.yaw_deg;
   usual.damage = o.damage;
   take_defaults(usual, {{"damage", ""}});
   usual.damage = default_damage(o.method);
   usual.nose_length_mm = o.nose_length_mm;
+  usual.tip_diameter_mm = o.tip_diameter_mm;
+  usual.profile_mm = o.profile_mm;
   usual.length_mm = default_length_mm(usual);
   usual.nose_length_mm = default_nose_length_mm(usual);
+  usual.tip_diameter_mm = default_tip_diameter_mm(usual);
+  if (!o.projectile.empty()) {
+    usual.nose = named.nose, usual.diameter_mm = named.diameter_mm, usual.length_mm = named.length_mm;
+    usual.nose_length_mm = named.nose_length_mm, usual.tip_diameter_mm = named.tip_diameter_mm;
+  }
   return usual;
 }
 
@@ -77,7 +107,7 @@ FailureEffect default_failure(DamageLaw damage) {
 }
 
 double default_end_us(const Options &o) {
-  const bool blunt = o.nose == Nose::blunt;
+  const bool blunt = o.nose == Nose::blunt || o.nose == Nose::chisel;
   const double passage_us = (o.length_mm + target_depth_mm(o)) / o.velocity_mps * 1e3;
   const double least_us = (blunt ? 500 : 1500) * std::max(1.0, o.diameter_mm / 20);
   return std::clamp(10 * std::ceil((blunt ? 3 : 6) * passage_us / 10), least_us, 100000.0);
@@ -112,10 +142,14 @@ std::string thickness_label(const Options &o) {
 }
 
 std::string case_label(const Options &o) {
-  return material_label(o) + "_" + name_of(o.model) + "_" + name_of(o.nose) + "_" +
-         (o.diameter_mm == Options{}.diameter_mm ? "" : options::shortest(o.diameter_mm) + "mm_on_") +
+  return material_label(o) + "_" + name_of(o.model) + "_" + projectile_label(o) + "_" +
+         (o.diameter_mm == Options{}.diameter_mm || !o.projectile.empty()
+              ? ""
+              : options::shortest(o.diameter_mm) + "mm_on_") +
          thickness_label(o) + (o.velocity_mps < 0 ? "" : "_" + options::shortest(o.velocity_mps) + "mps") +
          (o.obliquity_deg == 0 ? "" : "_" + options::shortest(o.obliquity_deg) + "deg") +
+         (o.pitch_deg == 0 ? "" : "_pitch" + options::shortest(o.pitch_deg) + "deg") +
+         (o.yaw_deg == 0 ? "" : "_yaw" + options::shortest(o.yaw_deg) + "deg") +
          (o.method == Method::sfm ? "" : "_" + name_of(o.method)) + differences(o);
 }
 

@@ -28,10 +28,14 @@ std::vector<std::string> material_names(const Options &o) {
   return names.empty() ? std::vector<std::string>{"material.toml"} : names;
 }
 
-const std::vector<std::string> history_columns{"time_us",      "velocity_m_per_s",    "nose_depth_mm", "tail_depth_mm",
-                                               "kinetic_J",    "elastic_J",           "plastic_J",     "hourglass_J",
-                                               "viscous_J",    "contact_J",           "friction_J",    "total_J",
-                                               "momentum_N_s", "support_impulse_N_s", "conversion_J"};
+/// Name of the file of the projectile's metal, if it is one of a file.
+constexpr char projectile_metal_name[] = "projectile_metal.toml";
+
+const std::vector<std::string> history_columns{
+    "time_us",       "velocity_m_per_s", "nose_depth_mm", "tail_depth_mm",       "kinetic_J",
+    "elastic_J",     "plastic_J",        "hourglass_J",   "viscous_J",           "contact_J",
+    "friction_J",    "total_J",          "momentum_N_s",  "support_impulse_N_s", "conversion_J",
+    "speed_m_per_s", "deflection_deg",   "turn_deg",      "spin_rad_per_s"};
 
 /// Removes the halves of files that a run left when it was killed while it wrote them: those with the number of a
 /// process that is no more.
@@ -51,11 +55,15 @@ void remove_leftovers(const fs::path &folder) {
   for (const fs::path &path : leftovers) fs::remove(path, ignored);
 }
 
-/// Text of the file of a plate's metal.
-std::string material_text(const std::string &material, const materials::AnyMetal &plate) {
-  return materials::to_toml(plate, "The metal of the plate in a run of ogive " + std::string(ogive::version) +
-                                       ", from " + material +
-                                       ".\nA copy with other numbers is a metal for --material.");
+/// Writes a metal of a run into its folder, unless it is read from there.
+void write_metal(const fs::path &copy, const materials::AnyMetal &metal, const std::string &material,
+                 const std::string &of, const std::string &option) {
+  std::error_code missing;
+  if (materials::is_material_file(material) && fs::equivalent(copy, material, missing)) return;
+  ogive::write_atomically(copy,
+                          materials::to_toml(metal, "The metal of the " + of + " in a run of ogive " +
+                                                        std::string(ogive::version) + ", from " + material +
+                                                        ".\nA copy with other numbers is a metal for " + option + "."));
 }
 
 } // namespace
@@ -69,6 +77,10 @@ bool is_in_place(const Options &o) {
 
 std::string case_text(const Options &options) {
   Options o = options;
+  // All that the file of a projectile or a profile gives is written; its name counts from elsewhere.
+  if (materials::is_material_file(o.projectile)) o.projectile.clear();
+  o.profile = std::filesystem::path(o.profile).filename().string();
+  if (materials::is_material_file(o.projectile_metal)) o.projectile_metal = projectile_metal_name;
   // Counts from the folder of case.toml, so that the folder may move.
   const auto names = material_names(o);
   if (materials::is_material_file(o.material)) o.material = names.front();
@@ -85,13 +97,11 @@ void start_results(const Options &o, const Plates &plates) {
   if (!is_in_place(o) && fs::exists(o.out / checkpoint_name, ignored))
     fs::rename(o.out / checkpoint_name, o.out / earlier_checkpoint_name, ignored);
   const auto names = material_names(o);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto copy = o.out / names[k];
-    const std::string material = materials_of(o)[k];
-    std::error_code missing;
-    if (!materials::is_material_file(material) || !fs::equivalent(copy, material, missing))
-      ogive::write_atomically(copy, material_text(material, plates[k]));
-  }
+  for (std::size_t k = 0; k < names.size(); ++k)
+    write_metal(o.out / names[k], plates[k], materials_of(o)[k], "plate", "--material");
+  if (materials::is_material_file(o.projectile_metal))
+    write_metal(o.out / projectile_metal_name, projectile_metal_of(o), o.projectile_metal, "projectile",
+                "--projectile-metal");
   ogive::write_atomically(o.out / "case.toml", case_text(o));
 }
 

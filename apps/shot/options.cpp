@@ -3,9 +3,11 @@
 
 #include "defaults.hpp"
 #include "materials/library.hpp"
+#include "named_projectile.hpp"
 #include "plates.hpp"
 #include "projectile.hpp"
 #include "table.hpp"
+#include "to_case.hpp"
 
 #include <numbers>
 #include <numeric>
@@ -18,18 +20,33 @@ using options::Given;
 using options::Origins;
 using options::shortest;
 
-/// Sets what one level gives; later levels win.
+/// Sets what one level gives; later levels win. A projectile by name or file is a level below its own.
 void apply_level(Options &o, Origins &origins, const Level &level, bool first) {
   const options::Table table = table_of(o);
+  const auto gives = [&](std::string_view key) {
+    return std::any_of(level.given.begin(), level.given.end(), [&](const Given &given) { return given.key == key; });
+  };
+  for (const Given &given : level.given)
+    if (given.key == "projectile" && names_projectile(given.value)) {
+      const Level of_projectile = level_of_projectile(given, level.folder);
+      forget_projectile(o, origins);
+      apply_level(o, origins, of_projectile, false);
+    }
+  // The points that come with the name of a file are those of the file.
+  const bool reads_profile = gives("profile") && !gives("profile_mm");
+  if (reads_profile) o.profile_mm.clear();
   if (!first)
     for (const Given &given : level.given) override_layers(o, origins, given.key);
   for (const Given &given : level.given) options::apply(table, origins, given);
+  if (reads_profile) read_profile(o, origins, level.folder);
   if (level.folder.empty()) return;
   const auto from_there = [&](std::string &material) {
     if (materials::is_material_file(material)) material = (level.folder / material).string();
   };
   for (const Given &given : level.given) {
     if (given.key == "material") from_there(o.material);
+    if (given.key == "projectile_metal") from_there(o.projectile_metal);
+    if (given.key == "projectile") from_there(o.projectile);
     if (given.key == "layer_materials") std::for_each(o.layer_materials.begin(), o.layer_materials.end(), from_there);
   }
 }
@@ -55,6 +72,7 @@ Options settled(const std::vector<Level> &levels) {
   Origins origins;
   for (const Level &level : levels) apply_level(o, origins, level, &level == &levels.front());
   settle_layers(o, origins);
+  settle_nose(o, origins);
   take_defaults(o, origins);
   settle_materials(o, origins);
   settle_projectile(o, origins);
@@ -96,17 +114,18 @@ void check(const Options &o, const Origins &origins) {
     refuse("spacing_mm", o.spacing_mm,
            std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
                "plate, " + shortest(coarsest) + " mm");
-  const double turn = o.obliquity_deg * std::numbers::pi / 180;
-  const double smallest_disc =
-      std::round(1e6 * (o.diameter_mm / 2 / std::cos(turn) + target_depth_mm(o) * std::tan(turn) + 2 * o.spacing_mm)) /
-      1e6;
+  const double smallest_disc = std::round(1e9 * ogive::least_sph_radius(to_case(o))) / 1e6;
+  const bool tilted = o.obliquity_deg > 0 || o.pitch_deg != 0 || o.yaw_deg != 0;
   if (o.sph_radius_mm < smallest_disc || o.sph_radius_mm >= o.clamp_radius_mm)
     refuse("sph_radius_mm", o.sph_radius_mm,
            "must lie between " + shortest(smallest_disc) + " mm, " +
-               (o.obliquity_deg > 0 ? "what the oblique projectile needs" : "the projectile's radius") +
-               " and two spacings, and " + "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
+               (tilted ? "what the oblique projectile needs" : "the projectile's radius") + " and two spacings, and " +
+               "less than the clamp radius, " + shortest(o.clamp_radius_mm) + " mm");
   if (o.obliquity_deg > 0 && o.extent == Extent::quarter)
     refuse("obliquity_deg", o.obliquity_deg, "needs --extent half or --extent full");
+  if (o.pitch_deg != 0 && o.extent == Extent::quarter)
+    refuse("pitch_deg", o.pitch_deg, "needs --extent half or --extent full");
+  if (o.yaw_deg != 0 && o.extent != Extent::full) refuse("yaw_deg", o.yaw_deg, "needs --extent full");
   if (o.mass_g > 0) {
     // Plastics to the heaviest metals, and bodies that are hollow or carry more than they are.
     constexpr double lightest = 100, heaviest = 50000; // kg/m3
@@ -132,16 +151,19 @@ double estimated_particles(const Options &o) {
 
 std::string to_toml(const Options &options) {
   Options o = options;
-  const bool own_metal = materials::is_material_file(o.material);
+  const bool own_metal = materials::is_material_file(o.material) || materials::is_material_file(o.projectile_metal);
   // What a reader of the file should choose anew, and what follows from other values. The copy of a material file has
   // another name, from which no folder can follow.
   const auto left_out = [&](const options::Option &option) {
     const std::string_view key = option.key;
-    return (key == "out" && !own_metal && o.out == default_out(o)) || (key == "model" && own_metal) ||
+    return (key == "out" && !own_metal && o.out == default_out(o)) ||
+           (key == "model" && materials::is_material_file(o.material)) ||
            (key == "failure" && o.failure == default_failure(o.damage)) ||
            (key == "thickness_mm" && !o.layers_mm.empty()) || (key == "material" && !o.layer_materials.empty()) ||
-           (key == "nose_length_mm" && o.nose_length_mm == default_nose_length_mm(o)) ||
-           (key == "length_mm" && o.length_mm == default_length_mm(o)) || key == "calibre_radius_head";
+           (o.projectile.empty() && ((key == "nose_length_mm" && o.nose_length_mm == default_nose_length_mm(o)) ||
+                                     (key == "length_mm" && o.length_mm == default_length_mm(o)) ||
+                                     (key == "tip_diameter_mm" && o.tip_diameter_mm == default_tip_diameter_mm(o)))) ||
+           key == "calibre_radius_head";
   };
   return "# Runs the same case again: ogive shoot --config <this file>\n"
          "# The command line overrides this file. Values of friction and end_us are those that were used: with "

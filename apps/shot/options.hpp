@@ -27,7 +27,6 @@ using ogive::Method;
 using ogive::Nose;
 using ogive::PressureLaw;
 
-enum class ProjectileKind { deformable, rigid };
 enum class SphForm { renormalised, standard };
 enum class SphKernel { cubic_spline, wendland_c2 };
 enum class Smoothing { constant, variable };
@@ -60,15 +59,24 @@ struct Options {
   std::vector<std::string> layer_materials; ///< one for each plate, the first one's is `material` too; empty: all that
   double clamp_radius_mm = 250;
 
+  std::string projectile;                           ///< a name of the library, or a file; empty: by nose and sizes
+  bool rigid = false;                               ///< it moves and turns as one, and does not deform
+  std::string projectile_metal = "arne_tool_steel"; ///< a name of the library, or a file that ends in .toml
   Nose nose = Nose::blunt;
   double diameter_mm = 20;
   double length_mm = 80;          ///< tip to tail; parse() takes that of the paper's nose, scaled with the diameter
-  double nose_length_mm = 0;      ///< of a conical or ogival nose; parse() takes that of the paper's, scaled likewise
+  double nose_length_mm = 0;      ///< unless blunt or round; parse() takes that of the paper's, scaled likewise
+  double tip_diameter_mm = 0;     ///< flat at the tip, width of a chisel's; parse() takes the paper's, scaled likewise
   double calibre_radius_head = 0; ///< of an ogive, instead of its nose length; 0: not given
   double edge_radius_mm = 0;      ///< of the edge between face and shank of a blunt nose; 0: sharp
-  double mass_g = 0;              ///< of the projectile; 0: by the density of its steel
+  double tail_length_mm = 0;      ///< of a boat tail; 0: none
+  double tail_diameter_mm = 0;    ///< of its rear end; 0: none
+  std::string profile;            ///< the CSV file that profile_mm comes from; empty: no file
+  std::vector<double> profile_mm; ///< z and r of the points of a profile in turn; empty: no profile
+  double mass_g = 0;              ///< of the projectile; 0: by the density of its metal
   double obliquity_deg = 0;       ///< between the line of flight and the plate's axis
-  ProjectileKind projectile = ProjectileKind::deformable;
+  double pitch_deg = 0;           ///< of the projectile's axis against the line of flight, in the plane of both
+  double yaw_deg = 0;             ///< likewise out of that plane
   double velocity_mps = 303.5;
   double friction = 0;  ///< Coulomb; parse() takes default_friction() where none is given
   double settle_us = 0; ///< after the shot is decided

@@ -13,6 +13,7 @@ namespace shot {
 namespace {
 
 using materials::AnyMetal;
+using materials::is_material_file;
 using options::origin_of;
 using options::Origins;
 using options::printable;
@@ -21,9 +22,16 @@ using options::refuse;
 /// The comment between the metals of two plates.
 constexpr char next_plate[] = "next plate";
 
-/// The metals of metals_text(), one by one.
+/// The one before that of the projectile.
+constexpr char next_projectile[] = "the projectile";
+
+/// A comment of metals_text() with the line ends around it.
+std::string mark_of(const char *comment) { return "\n# " + std::string(comment) + "\n"; }
+
+/// The metals of the plates in metals_text(), one by one.
 std::vector<std::string> metal_texts(std::string_view all) {
-  const std::string mark = "\n# " + std::string(next_plate) + "\n";
+  all = all.substr(0, all.find(mark_of(next_projectile)));
+  const std::string mark = mark_of(next_plate);
   std::vector<std::string> texts;
   for (std::size_t end = all.find(mark); end != std::string_view::npos; end = all.find(mark)) {
     texts.emplace_back(all.substr(0, end + 1));
@@ -146,6 +154,21 @@ Plates plates_of(const Options &o) {
   return plates;
 }
 
+AnyMetal projectile_metal_of(const Options &o) {
+  AnyMetal metal = [&] {
+    if (o.restart && is_material_file(o.projectile_metal)) {
+      const std::string &all = o.restart->metal_toml;
+      const std::size_t at = all.find(mark_of(next_projectile));
+      return materials::parse(at == std::string::npos ? "" : std::string_view(all).substr(at + 1),
+                              "metal in " + o.restart->file.string());
+    }
+    return materials::find_metal(o.projectile_metal, o.model, "--projectile-metal");
+  }();
+  // Its hexes do not fail: there is nothing that they could turn into.
+  std::visit([](auto &any) { any.damage.law = DamageLaw::none, any.damage.effect = FailureEffect::none; }, metal);
+  return metal;
+}
+
 /// Those with a flow law of their own first: the others get the same.
 void settle_materials(Options &o, const Origins &origins) {
   bool is_model_fixed = false;
@@ -153,6 +176,8 @@ void settle_materials(Options &o, const Origins &origins) {
     for (const std::string &material : materials_of(o))
       if (materials::has_own_model(material) == files)
         settle_material(o, material, std::exchange(is_model_fixed, true), origins);
+  if (is_material_file(o.projectile_metal))
+    materials::find_metal(o.projectile_metal, o.model, origin_of(origins, "projectile_metal"));
 }
 
 std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
@@ -176,6 +201,7 @@ std::string metals_text(const Options &o, const Plates &plates) {
   std::string text = materials::to_toml(plates.front(), "");
   for (std::size_t k = 1; k < plates.size() && !o.layer_materials.empty(); ++k)
     text += materials::to_toml(plates[k], next_plate);
+  if (is_material_file(o.projectile_metal)) text += materials::to_toml(projectile_metal_of(o), next_projectile);
   return text;
 }
 

@@ -16,11 +16,24 @@ double default_nose_length_mm(const Options &options);
 /// Length from tip to tail, mm, unless the user says so: with the shank of the paper's, scaled with the diameter.
 double default_length_mm(const Options &options);
 
+/// Diameter of the flat at the tip, mm, or width of that of a chisel, unless the user says so: that of the paper's,
+/// scaled with the diameter.
+double default_tip_diameter_mm(const Options &options);
+
+/// Name of the projectile in titles and names of folders: of the library, of its profile, or of its nose.
+std::string projectile_label(const Options &options);
+
+/// Takes the points of the profile from its file. `folder` is the one that the name counts from. Throws SetupError.
+void read_profile(Options &options, const options::Origins &origins, const std::filesystem::path &folder);
+
 /// The projectile of the options, SI units.
 ogive::ProjectileShape<double> shape_of(const Options &options);
 
 /// True if the projectile is the one of the tests and strikes as there.
 bool is_of_the_tests(const Options &options);
+
+/// Takes the nose that a profile gives. Throws SetupError.
+void settle_nose(Options &options, const options::Origins &origins);
 
 /// Takes what is not given of the lengths from the paper's projectile, and the length of an ogive from its radius.
 /// Throws SetupError.

@@ -109,7 +109,7 @@ std::string case_title(const Options &o, const Result &s) {
   std::string sizes = options::shortest(o.thickness_mm) + " mm, ";
   if (!o.layers_mm.empty()) sizes = joined(o.layers_mm, " + ") + " mm, ";
   if (target_depth_mm(o) > o.thickness_mm) sizes += joined(o.gaps_mm, ", ") + " mm apart, ";
-  return s.material + ", " + name_of(o.model) + ", " + std::string(ogive::name(o.nose)) + ", " + sizes +
+  return s.material + ", " + name_of(o.model) + ", " + projectile_label(o) + ", " + sizes +
          options::shortest(o.velocity_mps) + " m/s" +
          (o.obliquity_deg == 0 ? "" : " at " + options::shortest(o.obliquity_deg) + " deg") +
          (o.method == Method::sfm ? "" : ", " + name_of(o.method));
@@ -133,6 +133,7 @@ void announce(const Options &o, const Result &shot) {
               s.spacing_mm, o.spacing_mm, s.particles, adaptive ? "can turn into particles" : "particles", s.hexes);
   std::printf("  projectile          %.2f g%s", s.projectile_mass_g, is_of_the_tests(o) ? " (197 g in the tests)" : "");
   if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
+  std::printf(", least scaled Jacobian %.2f", s.projectile_jacobian);
   std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
   if (o.restart) std::printf("  resumes from        %.3f us, %s\n", o.restart->time_us, o.restart->file.c_str());
   std::fflush(stdout);
@@ -152,9 +153,16 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   j["diameter_mm"] = o.diameter_mm;
   j["length_mm"] = o.length_mm;
   j["nose_length_mm"] = o.nose_length_mm;
+  j["tip_diameter_mm"] = o.tip_diameter_mm;
   j["edge_radius_mm"] = o.edge_radius_mm;
+  j["tail_length_mm"] = o.tail_length_mm;
+  j["tail_diameter_mm"] = o.tail_diameter_mm;
   j["obliquity_deg"] = o.obliquity_deg;
-  j["projectile"] = o.projectile == ProjectileKind::rigid ? "rigid" : "deformable";
+  j["pitch_deg"] = o.pitch_deg;
+  j["yaw_deg"] = o.yaw_deg;
+  j["projectile"] = o.rigid ? "rigid" : "deformable";
+  j["projectile_name"] = projectile_label(o);
+  j["projectile_metal"] = materials::label_of(o.projectile_metal);
   j["thickness_mm"] = o.thickness_mm;
   j["spacing_mm"] = s.sizes.spacing_mm;
   j["friction"] = o.friction;
@@ -162,6 +170,11 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   j["residual_velocity_mps"] = nullptr;
   if (const auto residual = residual_mps(s)) j["residual_velocity_mps"] = *residual;
   j["final_velocity_mps"] = s.flight.samples.back().velocity;
+  j["final_speed_mps"] = s.motion.speed;
+  j["final_direction"] = {s.motion.direction[0], s.motion.direction[1], s.motion.direction[2]};
+  j["deflection_deg"] = in_degrees(s.motion.deflection);
+  j["turn_deg"] = in_degrees(s.motion.turn);
+  j["spin_rad_per_s"] = {s.motion.spin[0], s.motion.spin[1], s.motion.spin[2]};
   j["velocity_at_shoulder_mps"] = nullptr;
   j["velocity_at_tail_mps"] = nullptr;
   if (s.flight.velocity_at_shoulder) j["velocity_at_shoulder_mps"] = *s.flight.velocity_at_shoulder;
@@ -194,6 +207,7 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   }
   j["projectile_mass_g"] = s.sizes.projectile_mass_g;
   j["added_mass_g"] = s.sizes.added_mass_g;
+  j["projectile_scaled_jacobian"] = s.sizes.projectile_jacobian;
   j["largest_intrusion_mm"] = s.intrusion_mm;
   j["hourglass_fraction"] = s.hourglass_fraction;
   j["energy_error"] = s.energy_error;
@@ -270,6 +284,12 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
       std::printf(
           "  %-22s %s\n", "to decide it",
           ("--resume --end-us " + options::shortest(std::min(20 * std::ceil(s.simulated_us / 10), 100000.0))).c_str());
+  }
+  if (o.extent != Extent::quarter) {
+    std::printf("  %-22s %.1f m/s, %.2f deg from the line of flight\n", "speed and direction", s.motion.speed,
+                in_degrees(s.motion.deflection));
+    std::printf("  %-22s turned by %.2f deg, spin %.4g rad/s\n", "projectile's axis", in_degrees(s.motion.turn),
+                s.motion.spin.norm());
   }
   if (test) std::printf("  %-22s %.1f m/s (%s)\n", "test", test->residual_mps, test->origin.c_str());
   if (s.flight.velocity_at_shoulder)

@@ -5,11 +5,13 @@
 
 #include "ogive/io/frame.hpp"
 #include "ogive/perforation/flight.hpp"
+#include "ogive/perforation/motion.hpp"
 #include "ogive/perforation/shape.hpp"
 #include "ogive/sim/energy.hpp"
 #include "ogive/sim/run.hpp"
 
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +24,8 @@ struct Sizes {
   long hexes = 0;
   double spacing_mm = 0;
   double projectile_mass_g = 0;
-  double added_mass_g = 0; ///< for the time step, at a sharp tip
+  double added_mass_g = 0;        ///< for the time step, at a sharp tip
+  double projectile_jacobian = 0; ///< smallest scaled one of its hexes, 1 for bricks
   double time_step_us = 0;
 };
 
@@ -47,21 +50,22 @@ struct Result {
   Sizes sizes;
   ogive::Flight<double> flight;
   std::optional<ogive::Fault> fault;
-  int interrupted_by = 0;             ///< signal; 0: the run came to its end
-  ogive::Way<double> way;             ///< of the projectile at the end
-  ogive::Fragments<double> fragments; ///< of all plates
-  std::vector<LayerResult> layers;    ///< one for each plate
-  long failed_hexes = 0;              ///< of the computed part, turned into particles
-  long distorted_hexes = 0;           ///< likewise, before they failed
-  long buried_particles = 0;          ///< of the computed part, that overlap hexes at the end
-  Swing swing;                        ///< for --settle-us
-  double intrusion_mm = 0;            ///< particle behind the projectile's surface, deepest of all times of a check
-  double hourglass_fraction = 0;      ///< of the initial energy, at the end
-  double energy_error = 0;            ///< largest over the run, of the initial energy
-  double momentum_error = 0;          ///< largest over the run, against the supports' impulse, of the initial momentum
-  double loop_s = 0;                  ///< wall time of the time loop without writing files
-  double wall_s = 0;                  ///< wall time of the whole run
-  double cpu_s = 0;                   ///< processor time of all threads, of the whole run
+  int interrupted_by = 0;                 ///< signal; 0: the run came to its end
+  ogive::Way<double> way;                 ///< of the projectile at the end
+  ogive::ProjectileMotion<double> motion; ///< likewise
+  ogive::Fragments<double> fragments;     ///< of all plates
+  std::vector<LayerResult> layers;        ///< one for each plate
+  long failed_hexes = 0;                  ///< of the computed part, turned into particles
+  long distorted_hexes = 0;               ///< likewise, before they failed
+  long buried_particles = 0;              ///< of the computed part, that overlap hexes at the end
+  Swing swing;                            ///< for --settle-us
+  double intrusion_mm = 0;                ///< particle behind the projectile's surface, deepest of all times of a check
+  double hourglass_fraction = 0;          ///< of the initial energy, at the end
+  double energy_error = 0;                ///< largest over the run, of the initial energy
+  double momentum_error = 0; ///< largest over the run, against the supports' impulse, of the initial momentum
+  double loop_s = 0;         ///< wall time of the time loop without writing files
+  double wall_s = 0;         ///< wall time of the whole run
+  double cpu_s = 0;          ///< processor time of all threads, of the whole run
   long steps = 0;
   double simulated_us = 0;
   ogive::PhaseTimes times; ///< wall time of the parts of the time loop
@@ -69,6 +73,9 @@ struct Result {
   ogive::Frame last_frame;
   ogive::SymmetryPlanes symmetry;
 };
+
+/// Radians as degrees.
+inline double in_degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 /// What a shot has shown.
 enum class Verdict { perforated, stopped, undecided };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "resume.hpp"
 
+#include "materials/library.hpp"
 #include "ogive/version.hpp"
 #include "options/toml_file.hpp"
 #include "plates.hpp"
@@ -108,11 +109,15 @@ std::optional<std::string> other_case(const Options &options) {
     const auto here = table_of(mine).options, there = table_of(theirs).options;
     for (std::size_t k = 0; k < here.size(); ++k) {
       const std::string key = here[k].key;
-      const bool of_metal = key == "material" || key == "layer_materials";
+      const bool of_metal = key == "material" || key == "layer_materials" || key == "projectile_metal";
+      // Labels: what they name is compared by the other keys.
+      const bool is_label = key == "profile" || (key == "projectile" && materials::is_material_file(mine.projectile));
       const bool counts = key == "settle_us" || here[k].group != run_group;
-      if (counts && !of_metal && here[k].toml() != there[k].toml()) return key;
+      if (counts && !of_metal && !is_label && here[k].toml() != there[k].toml()) return key;
     }
-    return metals_text(mine, plates_of(mine)) == metals_text(theirs, plates_of(theirs)) ? "" : "material";
+    if (metals_text(mine, plates_of(mine)) != metals_text(theirs, plates_of(theirs))) return "material";
+    const auto shots = std::array{projectile_metal_of(mine), projectile_metal_of(theirs)};
+    return materials::to_toml(shots[0], "") == materials::to_toml(shots[1], "") ? "" : "projectile_metal";
   } catch (const ogive::SetupError &) {
     return std::nullopt;
   }

@@ -70,7 +70,7 @@ std::string described(const ogive::Fault &fault) {
   switch (fault.kind) {
   case inverted:
   case small_step:
-    remedy = "; a projectile that is overloaded may be --projectile rigid, and --element one_point bears more";
+    remedy = "; a projectile that is overloaded may be --rigid, and --element one_point bears more";
     break;
   case lost:
     remedy = "; a finer --spacing-mm or a larger --contact-stiffness holds it";

@@ -17,12 +17,27 @@ namespace shot {
 
 namespace {
 
-using AnyLaw = ogive::AnyJohnsonCook<double>;
+using AnyLaw = ogive::AnyFlowLaw<double>;
 using Metals = std::vector<ogive::Metal<double, AnyLaw>>;
 
 /// Samples of the flight between two searches for the particle deepest inside the projectile, which cost as much as
 /// some steps: 10 us for 20 mm.
 constexpr std::size_t samples_per_intrusion = 20;
+
+template <class Law, class Rule>
+BodySizes sizes_of(const ogive::HexBody<double, Law, Rule> &body, const ogive::Nodes<double> &nodes) {
+  ogive::HexMesh<double> mesh;
+  mesh.positions.assign(nodes.position.begin() + body.nodes.begin, nodes.position.begin() + body.nodes.end);
+  mesh.hexes = body.hexes;
+  for (auto &hex : mesh.hexes)
+    for (ogive::Index &n : hex) n -= body.nodes.begin;
+  const auto q = ogive::mesh_quality(mesh);
+  return {.hexes = static_cast<long>(body.hexes.size()),
+          .shortest_mm = q.shortest_edge * 1e3,
+          .longest_mm = q.longest_edge * 1e3,
+          .largest_aspect = q.largest_aspect,
+          .smallest_scaled_jacobian = q.smallest_scaled_jacobian};
+}
 
 /// What the projectile's mesh and the plate's particles amount to.
 template <class M> Sizes sizes_of(const M &model) {
@@ -33,6 +48,7 @@ template <class M> Sizes sizes_of(const M &model) {
   for (const auto &disc : model.bodies.plate_particles) s.particles += disc.points.size();
   s.spacing_mm = ogive::plate_particles(model).spacing * 1e3;
   s.projectile_mass_g = ogive::whole_mass(shot.point_mass, model.symmetry) * 1e3;
+  s.projectile_jacobian = sizes_of(shot, model.nodes).smallest_scaled_jacobian;
   double nodal = 0;
   for (ogive::Index n = shot.nodes.begin; n < shot.nodes.end; ++n) nodal += model.nodes.mass[n];
   s.added_mass_g = nodal * model.symmetry.copies() * 1e3 - s.projectile_mass_g;
@@ -54,9 +70,10 @@ void restore(const Options &options, M &model, ogive::RunState<double> &state, R
 
 /// Samples the model into shot, course and history.csv.
 template <class M>
-void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::ProjectileShape<double> &shape,
-                 Result &shot, Course &course, Files &files) {
-  const auto sample = ogive::observe_flight(now, shape, shot.flight);
+void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::PerforationCase<double> &c,
+                 const std::vector<double> &axial_places, Result &shot, Course &course, Files &files) {
+  const auto sample = ogive::observe_flight(now, c.projectile, shot.flight);
+  shot.motion = ogive::motion_of(now, c, axial_places);
   ogive::record(shot.flight, sample, [&] { return ogive::find_way(now, shot.flight); });
   const double momentum = -ogive::momentum(now)[2], impulse = -now.support_impulse[2] * now.symmetry.copies();
   if (shot.flight.samples.size() == 1) course.first_energy = total(e), course.first_momentum = momentum;
@@ -65,9 +82,25 @@ void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::Proj
   if (!(error <= shot.energy_error)) shot.energy_error = error;
   shot.momentum_error =
       std::max(shot.momentum_error, std::abs(momentum - course.first_momentum - impulse) / course.first_momentum);
-  const auto row = {now.time * 1e6, sample.velocity, sample.nose * 1e3, sample.tail * 1e3, e.kinetic,
-                    e.elastic,      e.plastic,       e.hourglass,       e.viscous,         e.contact,
-                    e.friction,     total(e),        momentum,          impulse,           e.conversion};
+  const auto row = {now.time * 1e6,
+                    sample.velocity,
+                    sample.nose * 1e3,
+                    sample.tail * 1e3,
+                    e.kinetic,
+                    e.elastic,
+                    e.plastic,
+                    e.hourglass,
+                    e.viscous,
+                    e.contact,
+                    e.friction,
+                    total(e),
+                    momentum,
+                    impulse,
+                    e.conversion,
+                    shot.motion.speed,
+                    in_degrees(shot.motion.deflection),
+                    in_degrees(shot.motion.turn),
+                    shot.motion.spin.norm()};
   ogive::add_row(files.history, row);
   course.history.insert(course.history.end(), row.begin(), row.end());
 }
@@ -120,23 +153,9 @@ Metals metals_of(const Plates &plates) {
 
 /// The model of a case.
 auto model_of(const Options &options, const ogive::PerforationCase<double> &c, const Metals &plates) {
-  return ogive::make_perforation(c, plates, ogive::library::arne_tool_steel<double>(), numerics_of(options),
-                                 discretisation_of(options));
-}
-
-template <class Law, class Rule>
-BodySizes sizes_of(const ogive::HexBody<double, Law, Rule> &body, const ogive::Nodes<double> &nodes) {
-  ogive::HexMesh<double> mesh;
-  mesh.positions.assign(nodes.position.begin() + body.nodes.begin, nodes.position.begin() + body.nodes.end);
-  mesh.hexes = body.hexes;
-  for (auto &hex : mesh.hexes)
-    for (ogive::Index &n : hex) n -= body.nodes.begin;
-  const auto q = ogive::mesh_quality(mesh);
-  return {.hexes = static_cast<long>(body.hexes.size()),
-          .shortest_mm = q.shortest_edge * 1e3,
-          .longest_mm = q.longest_edge * 1e3,
-          .largest_aspect = q.largest_aspect,
-          .smallest_scaled_jacobian = q.smallest_scaled_jacobian};
+  const auto shot =
+      std::visit([](const auto &metal) { return ogive::with_law<AnyLaw>(metal); }, projectile_metal_of(options));
+  return ogive::make_perforation(c, plates, shot, numerics_of(options), discretisation_of(options));
 }
 
 template <class Law, class Kernel, class Form>
@@ -170,6 +189,8 @@ Result run_model(const Options &options, const Plates &metals) {
   std::vector<std::vector<ogive::Vec3<double>>> undeformed;
   for (std::size_t k = 0; k < plates.size(); ++k) undeformed.push_back(ogive::plate_positions(model, k));
 
+  const auto axial_places = ogive::axial_places(model, c);
+
   Result shot;
   shot.material = name_of(plates);
   shot.sizes = sizes_of(model);
@@ -196,7 +217,7 @@ Result run_model(const Options &options, const Plates &metals) {
   };
   const double longest_us = options.end_us + options.settle_us;
   const auto observe = [&](const auto &now, const ogive::Energy<double> &e) {
-    take_sample(now, e, shape, shot, course, files);
+    take_sample(now, e, c, axial_places, shot, course, files);
     if (shot.flight.samples.size() % samples_per_intrusion == 0)
       shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(now) * 1e3);
     if (now.time * 1e6 >= course.next_frame_us) {

@@ -3,6 +3,7 @@
 
 #include "materials/library.hpp"
 #include "materials/material_keys.hpp"
+#include "named_projectile.hpp"
 #include "options/text.hpp"
 
 #include <thread>
@@ -91,33 +92,95 @@ void add_plate(Table &t, Options &o) {
       .source = "tests", .limits = {1, 5000, "mm"}});
 }
 
+void add_projectile_choice(Table &t, Options &o) {
+  Option &named = options::add_option(t, {.key = "projectile", .meaning = "a projectile of the library, or a file with "
+      "the options of this group from --nose to --rigid; those that are given beside it override it. Older cases have "
+      "deformable or rigid", .source = "deformable: that of --nose and the sizes, of tool steel, paper",
+      .brief = "a projectile by name, or your FILE.toml"}, options::Kind::other, "NAME|FILE.toml");
+  named.allowed_text = allowed_projectiles();
+  named.range = ": " + named.allowed_text;
+  named.names = projectile_names();
+  named.assign = [&o](const Given &given) {
+    const std::string name = projectile_given(given);
+    if (!names_projectile(name)) o.rigid = name == "rigid";
+    // A nose is no more than the option --nose.
+    o.projectile = is_library_projectile(name) || materials::is_material_file(name) ? name : "";
+  };
+  named.toml = [&o] {
+    return options::toml_string(!o.projectile.empty() ? o.projectile : o.rigid ? "rigid" : "deformable");
+  };
+}
+
+void add_projectile_metal(Table &t, Options &o) {
+  Option &metal = options::add_option(t, {.key = "projectile_metal", .meaning = "metal of the projectile, without "
+      "damage", .source = "arne_tool_steel: paper"}, options::Kind::text, "NAME|FILE.toml");
+  metal.allowed_text = materials::allowed_projectile_metals();
+  metal.range = ": " + metal.allowed_text;
+  for (const auto &names : {materials::projectile_metal_names(), materials::library_names()})
+    metal.names.insert(metal.names.end(), names.begin(), names.end());
+  metal.assign = [&o, names = metal.names](const Given &given) {
+    const std::string material = line_given(given, materials::allowed_projectile_metals());
+    if (!materials::is_material_file(material) && std::find(names.begin(), names.end(), material) == names.end())
+      refuse(given, "must be " + materials::allowed_projectile_metals() + options::nearest_text(material, names));
+    o.projectile_metal = material;
+  };
+  metal.toml = [&o] { return options::toml_string(o.projectile_metal); };
+}
+
 void add_projectile(Table &t, Options &o) {
   t.group = "Projectile";
+  add_projectile_choice(t, o);
   add(t, o.nose, {.key = "nose", .meaning = "20 mm in diameter and 197 g unless other sizes are given",
-      .source = "paper, Fig. 11", .brief = "blunt, conical, ogival or hemispherical"});
+      .source = "paper, Fig. 11", .brief = "blunt, conical, ogival, hemispherical, chisel or sphere"});
   add(t, o.diameter_mm, {.key = "diameter_mm", .meaning = "of the shank", .source = "paper",
       .brief = "diameter of the projectile", .limits = {1, 200, "mm"}});
   add(t, o.length_mm, {.key = "length_mm", .meaning = "from tip to tail",
-      .source = "80 blunt, 98 conical, 94.6 ogival, 83.2 hemispherical, times diameter/20 mm: paper",
+      .source = "80 blunt, 98 conical, 94.6 ogival, 83.2 hemispherical, 22.6 chisel, 20 sphere, times diameter/20 mm: "
+      "paper, ours",
       .limits = {1, 2000, "mm"}});
-  add(t, o.nose_length_mm, {.key = "nose_length_mm", .meaning = "of a conical or ogival nose",
-      .source = "30 conical, 33 ogival, times diameter/20 mm: paper", .limits = {0, 1000, "mm"}});
+  add(t, o.nose_length_mm, {.key = "nose_length_mm", .meaning = "of a conical or ogival nose; depth of a chisel's "
+      "inclined flats", .source = "30 conical, 33 ogival, 3.7 chisel, times diameter/20 mm: paper, ours",
+      .limits = {0, 1000, "mm"}});
+  add(t, o.tip_diameter_mm, {.key = "tip_diameter_mm", .meaning = "of the flat at the tip of a conical or ogival nose; "
+      "width of the flat of a chisel", .source = "2 conical, 1 ogival, 9.3 chisel, times diameter/20 mm: paper, ours",
+      .limits = {0, 200, "mm"}});
   add(t, o.calibre_radius_head, {.key = "calibre_radius_head",
       .meaning = "radius of an ogive over the diameter, instead of --nose-length-mm",
       .source = "none: by the length", .limits = {0, 50, ""}});
   add(t, o.edge_radius_mm, {.key = "edge_radius_mm",
       .meaning = "of the edge of a blunt nose, at most twice the particle distance", .source = "0: sharp",
       .limits = {0, 25, "mm"}});
-  add(t, o.mass_g, {.key = "mass_g", .meaning = "of the projectile, by its density; 0: that of tool steel",
-      .source = "paper", .brief = "mass of the projectile; 0: solid tool steel", .limits = {0, 1e6, "g"}});
+  add(t, o.tail_length_mm, {.key = "tail_length_mm", .meaning = "of a boat tail at the end of the shank; 0: none",
+      .source = "ours", .limits = {0, 1000, "mm"}});
+  add(t, o.tail_diameter_mm, {.key = "tail_diameter_mm", .meaning = "of the rear end of the boat tail",
+      .source = "none", .limits = {0, 200, "mm"}});
+  Option &profile = options::add_option(t, {.key = "profile", .meaning = "a projectile that is a body of revolution: "
+      "FILE.csv with the columns z_mm,r_mm, distance from the front and radius, from the front to the rear",
+      .source = "none", .brief = "a body of revolution: FILE.csv with the columns z_mm,r_mm"},
+      options::Kind::other, "FILE.csv");
+  profile.allowed_text = "the name of a CSV file";
+  profile.range = "";
+  profile.assign = [&o](const Given &given) { o.profile = line_given(given, "the name of a CSV file"); };
+  profile.toml = [&o] { return o.profile.empty() ? "" : options::toml_string(o.profile); };
+  add(t, o.profile_mm, {.key = "profile_mm", .meaning = "z and r of the points of a profile in turn, as case.toml has "
+      "them; --profile reads them from a file", .source = "none", .limits = {0, 2000, "mm"}});
+  add(t, o.mass_g, {.key = "mass_g", .meaning = "of the projectile, by its density; 0: that of its metal",
+      .source = "paper", .brief = "mass of the projectile; 0: that of its metal", .limits = {0, 1e6, "g"}});
+  add_projectile_metal(t, o);
+  add(t, o.rigid, {.key = "rigid", .meaning = "the projectile moves and turns as one, and does not deform",
+      .source = "no: paper", .brief = "the projectile does not deform"});
   add(t, o.obliquity_deg, {.key = "obliquity_deg",
       .meaning = "angle between the line of flight and the plate's axis; needs --extent half or full",
       .source = "tests", .limits = {0, 60, "deg"}});
-  add(t, o.projectile, {.key = "projectile", .meaning = "deformable tool steel, or rigid", .source = "paper"});
+  add(t, o.pitch_deg, {.key = "pitch_deg", .meaning = "of the projectile's axis against the line of flight, in the "
+      "plane of flight and of the plate's axis, positive where the obliquity grows; needs --extent half or full",
+      .source = "none", .limits = {-45, 45, "deg"}});
+  add(t, o.yaw_deg, {.key = "yaw_deg", .meaning = "of the projectile's axis out of that plane; needs --extent full",
+      .source = "none", .limits = {-45, 45, "deg"}});
   add(t, o.velocity_mps, {.key = "velocity_mps", .meaning = "initial velocity", .source = "tests",
       .brief = "initial velocity", .limits = {1, largest_velocity_mps, "m/s"}});
   add(t, o.friction, {.key = "friction", .meaning = "Coulomb friction between plate and projectile",
-      .source = "0 blunt; else 0.08 on weldox_460e and on FILE.toml, 0.02 on aa5083_h116: paper",
+      .source = "0 blunt and chisel; else 0.08 on weldox_460e and on FILE.toml, 0.02 on aa5083_h116: paper",
       .limits = {0, 2, ""}});
 }
 

@@ -50,9 +50,6 @@ constexpr auto choices(FailureEffect) {
 
 namespace shot {
 
-constexpr auto choices(ProjectileKind) {
-  return options::named<ProjectileKind>({{ProjectileKind::deformable, "deformable"}, {ProjectileKind::rigid, "rigid"}});
-}
 constexpr auto choices(SphForm) {
   return options::named<SphForm>({{SphForm::renormalised, "renormalised"}, {SphForm::standard, "standard"}});
 }

@@ -23,9 +23,11 @@ inline ogive::PerforationCase<double> to_case(const Options &o) {
   c.projectile = shape_of(o);
   c.projectile_mass = o.mass_g * 1e-3;
   c.obliquity = o.obliquity_deg * std::numbers::pi / 180;
+  c.pitch = o.pitch_deg * std::numbers::pi / 180;
+  c.yaw = o.yaw_deg * std::numbers::pi / 180;
   c.initial_velocity = o.velocity_mps;
   c.friction = o.friction;
-  c.rigid_projectile = o.projectile == ProjectileKind::rigid;
+  c.rigid_projectile = o.rigid;
   c.extent = o.extent;
   return c;
 }

@@ -10,6 +10,8 @@
 #include "ogive/material/library.hpp"
 #include "ogive/perforation/flight.hpp"
 #include "ogive/perforation/method.hpp"
+#include "ogive/perforation/motion.hpp"
+#include "ogive/perforation/projectile_library.hpp"
 #include "ogive/perforation/setup.hpp"
 #include "ogive/perforation/shape.hpp"
 #include "ogive/sim/energy.hpp"

@@ -242,7 +242,10 @@ TEST_CASE("case.toml runs the same case again") {
   all.thickness_mm = 25.1;
   all.clamp_radius_mm = 100.0 + 1.0 / 3;
   all.nose = shot::Nose::hemispherical;
-  all.projectile = shot::ProjectileKind::rigid;
+  all.rigid = true;
+  all.projectile_metal = "fsp_steel";
+  all.tail_length_mm = 12.5;
+  all.tail_diameter_mm = 15;
   all.velocity_mps = 1000.0 / 7;
   all.friction = 1.0 / 30;
   all.end_us = 100000;
@@ -276,8 +279,9 @@ TEST_CASE("case.toml runs the same case again") {
 TEST_CASE("the projectile is one of the paper's, scaled with its diameter, unless lengths are given") {
   const auto shape = [](const std::vector<const char *> &arguments) { return shot::shape_of(options_of(arguments)); };
   for (const ogive::Nose nose : ogive::all_noses) {
+    if (nose == ogive::Nose::profile) continue; // it has no sizes but those of its points
     const std::string name(ogive::name(nose));
-    const auto paper = ogive::paper_projectile<double>(nose), own = shape({"--nose", name.c_str()}),
+    const auto paper = ogive::default_projectile<double>(nose), own = shape({"--nose", name.c_str()}),
                small = shape({"--nose", name.c_str(), "--diameter-mm", "5"});
     CHECK(own.shank_length == paper.shank_length); // to the last bit
     CHECK(own.nose_length == paper.nose_length);

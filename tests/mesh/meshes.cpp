@@ -46,7 +46,7 @@ TEST_CASE("the boundary of a brick is its six sides, seen from outside", "[fem]"
 }
 
 TEST_CASE("projectiles have the analytic volume and mass", "[fem]") {
-  for (Nose nose : all_noses) {
+  for (Nose nose : paper_noses) {
     const auto shape = paper_projectile<double>(nose);
     INFO(name(nose));
     // Simpson's rule over the profile.
@@ -151,7 +151,7 @@ TEST_CASE("full, half and quarter meshes are 4 : 2 : 1 and closed", "[fem]") {
     CHECK(4 * outer.size() == surface.size());
     CHECK(4 * total_size(outer, quarter.positions) == Approx(size).epsilon(1e-12));
   };
-  for (Nose nose : all_noses)
+  for (Nose nose : paper_noses)
     check_extents([&](Extent extent) { return projectile_mesh(paper_projectile<double>(nose), 2e-3, extent); });
   check_extents([](Extent extent) { return rim_mesh(RimShape<double>{24e-3, 60e-3, 6e-3, 3e-3}, extent); });
 }

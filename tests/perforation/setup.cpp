@@ -101,7 +101,8 @@ TEST_CASE("the parts of a shot stand where they belong", "[perforation]") {
         std::size_t(plate_particles(model).nodes.size() + plate_hexes(model).nodes.size()));
   CHECK(model.rigid_parts.empty());
   c.rigid_projectile = true;
-  CHECK(build(c).rigid_parts.size() == 1);
+  REQUIRE(build(c).rigid_parts.size() == 1);
+  CHECK_FALSE(turns(build(c).rigid_parts[0])); // both mirror planes
 }
 
 TEST_CASE("an oblique projectile lies in its line of flight and touches the plate", "[perforation]") {

@@ -114,6 +114,16 @@ TEST_CASE("a restarted shot ends with the bits of one that never stopped", "[sim
     compare([] { return any_shot(FailureEffect::no_tension, true, Nose::conical, {.rule = SelectiveReduced{}}); },
             {3, 33, 59});
   }
+  SECTION("a rigid projectile that turns, removal") {
+    const auto plate = brittle(library::weldox_460e_mjc<double>(), FailureEffect::removal);
+    const auto make = [&] {
+      return make_perforation(turning_case(Extent::half), std::vector{with_law<AnyFlowLaw<double>>(plate)},
+                              with_law<AnyFlowLaw<double>>(library::arne_tool_steel<double>()), {},
+                              AnyDiscretisation{});
+    };
+    CHECK(turns(make().rigid_parts[0]));
+    compare(make, {0, 41});
+  }
   SECTION("standard form, blunt nose, removal") {
     compare([] { return any_shot(FailureEffect::removal, false, Nose::blunt, {.form = StandardForm{}}); }, {2, 91});
   }

@@ -4,6 +4,7 @@
 #include "ogive/perforation/setup.hpp"
 #include "ogive/sim/hash.hpp"
 
+#include <numbers>
 #include <type_traits>
 #include <vector>
 
@@ -37,6 +38,15 @@ template <class Law> Metal<double, Law> brittle(Metal<double, Law> metal, Failur
   return metal;
 }
 
+/// The same at 30 degrees with a rigid projectile, which turns.
+inline PerforationCase<double> turning_case(Extent extent) {
+  auto c = small_case(Nose::blunt, extent);
+  c.sph_radius = 20e-3;
+  c.obliquity = std::numbers::pi / 6;
+  c.rigid_projectile = true;
+  return c;
+}
+
 /// The same with all that a shot can have: friction, damage with its effect, by the pressure of the neighbours and with
 /// a length, bonds, a smoothing length that follows the density, mirror planes. With AnyDiscretisation the model is the
 /// one that programs run.
@@ -57,7 +67,8 @@ auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical, cons
   numerics.sph.damage_pressure = DamagePressure::neighbours;
   const auto steel = library::arne_tool_steel<double>();
   if constexpr (std::is_same_v<Parts, AnyDiscretisation>)
-    return make_perforation(c, std::vector{with_law<AnyJohnsonCook<double>>(plate)}, steel, numerics, parts);
+    return make_perforation(c, std::vector{with_law<AnyFlowLaw<double>>(plate)}, with_law<AnyFlowLaw<double>>(steel),
+                            numerics, parts);
   else
     return make_perforation(c, std::vector{plate}, steel, numerics, parts);
 }

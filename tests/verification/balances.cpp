@@ -105,7 +105,7 @@ Rung balances() {
   add_exchange(rung, "particles on hexes", round_off_of_momentum, particles_on_hexes);
   add_strike(rung, "block of hexes on a block", 1e-13, strike_with_hexes());
   add_strike(rung, "block of particles on a block", round_off_of_momentum, strike_with_particles());
-  for (const Nose nose : all_noses) {
+  for (const Nose nose : paper_noses) {
     auto c = small_case(nose, Extent::quarter);
     add_shot(rung, "shot, " + std::string(name(nose)), c);
   }

@@ -19,9 +19,12 @@ namespace library = ::materials;
 using library::AnyMetal;
 
 AnyMetal metal_named(const std::string &name, library::Model model) {
-  if (!library::is_material_file(name) && library::find_library_metal(name) == nullptr)
-    throw ogive::SetupError("show = " + options::printable(name) + ": must be " + library::allowed_materials() +
-                            options::nearest_text(name, library::library_names()));
+  if (!library::is_known(name)) {
+    auto names = library::library_names();
+    for (std::string &of_projectile : library::projectile_metal_names()) names.push_back(std::move(of_projectile));
+    throw ogive::SetupError("show = " + options::printable(name) + ": must be " + library::allowed_projectile_metals() +
+                            options::nearest_text(name, names));
+  }
   return library::find_metal(name, model, "show");
 }
 

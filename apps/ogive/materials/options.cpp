@@ -147,7 +147,7 @@ std::optional<Options> parse(const options::Arguments &arguments) {
       throw ogive::SetupError(options::flag_of(option->key) + ": is no option of ogive materials " + action);
   if (o.action == Action::show && line->find("model") != nullptr)
     for (const std::string &name : o.names)
-      if (const auto *metal = materials::find_library_metal(name); metal != nullptr && materials::has_own_model(name)) {
+      if (!materials::is_material_file(name) && materials::is_known(name)) {
         const auto own = materials::model_of(materials::find_metal(name, o.model, "show"));
         if (own != o.model)
           refuse("--model", materials::name_of(o.model),

@@ -72,7 +72,8 @@ template <class M> Panel flow_panel(const M &metal, const std::string &title) {
   Panel panel{.title = title,
               .x = "plastic strain",
               .y = "flow stress / MPa",
-              .settings = "set key bottom right opaque; set xrange [0:1]; set xtics 0.5; set grid noxtics; set yrange [0:*]"};
+              .settings =
+                  "set key bottom right opaque; set xrange [0:1]; set xtics 0.5; set grid noxtics; set yrange [0:*]"};
   constexpr int points = 32;
   for (int k = 0; k <= points; ++k) panel.abscissa.push_back(double(k) * k / (points * points));
   const double room = metal.room_temperature, warm = warm_temperature(metal);
@@ -103,13 +104,12 @@ template <class M> double strain_of_work(const M &metal, double triaxiality, dou
 
 template <class M> Panel failure_panel(const M &metal) {
   constexpr double most = 3;
-  Panel panel{
-      .title = "failure strain",
-      .x = "triaxiality",
-      .y = "plastic strain at failure",
-      .settings = options::printed(
-          "set key top right opaque; set xrange [-0.4:2]; set xtics 0.5; set grid noxtics; set ytics 1; set yrange [0:%g]",
-          most)};
+  Panel panel{.title = "failure strain",
+              .x = "triaxiality",
+              .y = "plastic strain at failure",
+              .settings = options::printed("set key top right opaque; set xrange [-0.4:2]; set xtics 0.5; set grid "
+                                           "noxtics; set ytics 1; set yrange [0:%g]",
+                                           most)};
   for (int k = 0; k <= 32; ++k) panel.abscissa.push_back(-0.4 + 0.075 * k);
   const auto add = [&](const std::string &title, const std::string &look, auto &&strain) {
     panel.columns.push_back({title, look, {}});

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -128,6 +129,12 @@ template <class T, class Bodies> void check_restored(const Model<T, Bodies> &mod
   for (const auto &contact : model.particle_contacts) {
     need(are_places(contact.searched_at), contact.name + " positions of the search");
     need(contact.lost >= -1 && contact.lost < contact.nodes.size(), contact.name + " lost particle");
+  }
+  for (const auto &part : model.rigid_parts) {
+    const T length = std::hypot(part.orientation.scalar, part.orientation.vector.norm());
+    need(part.centre.allFinite() && part.velocity.allFinite() && part.angular_momentum.allFinite(),
+         "the motion of a rigid part");
+    need(std::abs(length - T(1)) < T(1e-3), "the orientation of a rigid part");
   }
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/material/power_law.hpp"
-#include "ogive/material/voce.hpp"
-
-#include <variant>
+#include "ogive/material/johnson_cook_factors.hpp"
 
 namespace ogive {
 
@@ -49,8 +46,5 @@ FlowStress<N> flow_stress(const JohnsonCook<T> &law, N plastic_strain, N rate, N
   const JohnsonCookFactors<T> factors{law.C, law.m, law.reference_rate, law.rate_factor};
   return multiplied(power_hardening(law.A, law.B, law.n, plastic_strain), factors, rate, temperature, reference);
 }
-
-/// Any law of the family, chosen when the program runs.
-template <class T> using AnyJohnsonCook = std::variant<ModifiedJohnsonCook<T>, JohnsonCook<T>, Voce<T>, PowerLaw<T>>;
 
 } // namespace ogive

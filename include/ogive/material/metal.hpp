@@ -46,7 +46,7 @@ struct Metal {
   Damage<T> damage{};             ///< off unless set
 };
 
-/// The metal with a law of a more general type: Metal<T, AnyJohnsonCook<T>> of any of its laws.
+/// The metal with a law of a more general type: Metal<T, AnyFlowLaw<T>> of one of its laws.
 template <class To, class T, class Law> Metal<T, To> with_law(const Metal<T, Law> &m) {
   return {m.name,     m.source,        m.confidence,     m.density,          m.elasticity,          m.eos,
           To(m.flow), m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -24,7 +25,9 @@
 /// section shrinks with the nose down to the flat tip, with fewer hexes across (3.2 times the particle distance along
 /// the shank's circumference, 2.8 times along its radius) because they all meet at the tip; see raise_time_step for the
 /// thin ones there. Hemispherical: the shell of the O-grid wraps around the front (a cubed sphere) with hexes of 1.4
-/// times the particle distance along the surface, none of them thin.
+/// times the particle distance along the surface, none of them thin. A sphere is two of those. A chisel is a blunt
+/// projectile whose front is pushed back; a profile scales the cross section as sharp noses do, with nodes at its
+/// kinks.
 ///
 /// Surface nodes lie a little outside of the true circle, such that the polygon has the circle's area: shank and cone
 /// have exactly the analytic volume.
@@ -64,16 +67,68 @@ template <class T> T edge_cut(const ProjectileShape<T> &s) {
   return cut;
 }
 
+/// Smallest scaled Jacobian that a projectile's hexes may have. The noses have 0.5 and more.
+inline constexpr double least_projectile_jacobian = 0.2;
+
+/// Largest difference between the volumes of a mesh and of the shape it is made for, over the latter. Facets for curved
+/// noses cost 0.7 % where hexes are coarsest.
+inline constexpr double largest_volume_error = 0.02;
+
+/// Stations (m) along a body from the tip on: in each stretch between two of the `places` (m) they begin as far apart
+/// as they were before, `first` (m) in front, and grow by a tenth up to `fine` (m) as far as `shoulder` (m) and
+/// `longest` (m) behind it.
+template <class T>
+std::vector<T> stretched_stations(const std::vector<T> &places, T first, T fine, T longest, T shoulder) {
+  std::vector<T> stations = {places.front()};
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const T begin = places[k - 1];
+    const auto stretch =
+        graded_stations(places[k] - begin, first, T(1.1), places[k] <= shoulder ? std::max(first, fine) : longest);
+    for (std::size_t s = 1; s < stretch.size(); ++s) stations.push_back(begin + stretch[s]);
+    stations.back() = places[k];
+    first = std::clamp(stations.back() - stations[stations.size() - 2], T(0.5) * first, longest);
+  }
+  return stations;
+}
+
+/// A sphere of two halves: the mesh of the front one, whose nodes with z = `middle` (m) are its rear end, and its
+/// image.
+template <class T> HexMesh<T> with_rear_half(HexMesh<T> half, T middle) {
+  for (Vec3<T> &p : half.positions) p[2] -= middle;
+  HexMesh<T> whole = with_mirror_image(half, 2);
+  for (Vec3<T> &p : whole.positions) p[2] += middle;
+  return whole;
+}
+
+/// Pushes the front of a blunt projectile's mesh back to that of a chisel; hexes along the whole length take part.
+template <class T> void push_back_front(HexMesh<T> &mesh, const ProjectileShape<T> &shape) {
+  const T whole = length(shape);
+  for (Vec3<T> &p : mesh.positions) p[2] += chisel_depth(shape, p[0]) * (T(1) - p[2] / whole);
+}
+
+/// Throws SetupError for hexes that are badly shaped and for a mesh without the volume of its shape.
+template <class T> void check_quality(const HexMesh<T> &quarter, const ProjectileShape<T> &shape) {
+  const T least = mesh_quality(quarter).smallest_scaled_jacobian;
+  require(least >= T(least_projectile_jacobian), "smallest scaled Jacobian of the projectile's hexes", least,
+          "must be at least " + std::to_string(least_projectile_jacobian) +
+              ": a finer particle distance, or a shape with gentler slopes");
+  const T ratio = T(4) * volume(quarter) / volume(shape);
+  require(std::abs(ratio - T(1)) <= T(largest_volume_error), "volume of the projectile's hexes over that of its shape",
+          ratio, "must be 1 within " + std::to_string(largest_volume_error) + ": a finer particle distance");
+}
+
 /// Mesh of a projectile for plates with the particle distance `spacing` (m). Throws SetupError for a dimension out of
-/// range or if a hex would be inverted.
+/// range, for hexes that would be inverted or badly shaped, and if they lack the volume of the shape.
 template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T spacing, Extent extent) {
   check(shape);
   require(spacing > T(0) && spacing <= shape.diameter / T(4), "particle distance (m)", spacing,
           "must be positive and at most a quarter of the projectile's diameter");
   constexpr T eighth_turn = std::numbers::pi_v<T> / T(4);
-  const T radius = shape.diameter / T(2), height = nose_height(shape);
-  const bool wraps = shape.nose == Nose::hemispherical;
-  const bool sharp = shape.nose == Nose::conical || shape.nose == Nose::ogival;
+  const T radius = shape.diameter / T(2), height = shape.nose == Nose::sphere ? radius : nose_height(shape);
+  const bool wraps = shape.nose == Nose::hemispherical || shape.nose == Nose::sphere;
+  const bool has_profile = shape.nose == Nose::profile;
+  const bool sharp = shape.nose == Nose::conical || shape.nose == Nose::ogival ||
+                     (has_profile && shape.profile.front().radius < radius / T(2));
 
   OGridCounts n;
   const auto at_least = [](Index least, T value) { return std::max(least, static_cast<Index>(std::lround(value))); };
@@ -89,17 +144,24 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
   // surface nodes, moved outward, put the tip at zero.
   const T shoulder = wraps ? outward * height : height;
   std::vector<T> stations = {T(0)};
-  if (sharp) stations = graded_stations(height, spacing, T(1.1), T(2) * spacing);
+  if (sharp && !has_profile) stations = graded_stations(height, spacing, T(1.1), T(2) * spacing);
   const Index nose_levels = wraps ? n.core : static_cast<Index>(stations.size()) - 1;
   if (wraps) stations.assign(nose_levels + 1, shoulder);
   const T longest = std::max(shape.diameter / T(6), T(2) * spacing);
-  const auto shank = graded_stations(shape.shank_length,
-                                     (sharp   ? T(2)
-                                      : wraps ? T(1)
-                                              : T(1.5)) *
-                                         spacing,
-                                     T(1.1), longest);
-  for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(shoulder + shank[k]);
+  const T first = (sharp ? T(2) : wraps ? T(1) : T(1.5)) * spacing;
+  if (has_profile) {
+    stations = stretched_stations(kinks(shape.profile, T(0.5) * spacing), sharp ? spacing : first, T(2) * spacing,
+                                  longest, height);
+  } else if (shape.nose != Nose::sphere) {
+    const bool is_chisel = shape.nose == Nose::chisel;
+    const T straight = (is_chisel ? length(shape) : shape.shank_length) - shape.tail_length;
+    const T from = is_chisel ? T(0) : shoulder;
+    const auto shank = graded_stations(straight, first, T(1.1), longest);
+    for (std::size_t k = 1; k < shank.size(); ++k) stations.push_back(from + shank[k]);
+    if (shape.tail_length > T(0))
+      for (const T z : graded_stations(shape.tail_length, std::min(longest, shape.tail_length), T(1), longest))
+        if (z > T(0)) stations.push_back(from + straight + z);
+  }
   n.along = static_cast<Index>(stations.size()) - 1;
   const T cut = edge_cut(shape);
   require(cut <= (n.along > 1 ? stations[1] : T(0)), "edge radius (m)", shape.edge_radius,
@@ -109,8 +171,13 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
       wraps ? CoreOutline<T>{T(0.52), T(0.73), T(0.80)} : CoreOutline<T>{T(0.62), T(0.78), T(1)};
   const auto fraction = [&](Index i) { return T(i) / T(n.core); };
   const auto front_fraction = [&](Index k) { return wraps && k < nose_levels ? T(1) - T(k) / T(nose_levels) : T(0); };
+  const auto scale_at = [&](Index k) {
+    if (sharp || has_profile) return radius_at(shape, stations[k]);
+    const T before = stations.back() - stations[k];
+    return before < shape.tail_length ? radius_at(shape, length(shape) - before) : radius;
+  };
   const auto placed = [&](const Vec3<T> &unit, Index k) {
-    const T scale = sharp ? radius_at(shape, stations[k]) : radius;
+    const T scale = scale_at(k);
     return Vec3<T>(scale * unit[0], scale * unit[1], stations[k] - scale * unit[2]);
   };
   const auto on_surface = [&](Index i, Index j, Index k) -> Vec3<T> {
@@ -119,14 +186,17 @@ template <class T> HexMesh<T> projectile_mesh(const ProjectileShape<T> &shape, T
     if (cut > T(0) && k == 1) point[2] = cut;
     return point;
   };
-  const HexMesh<T> quarter = o_grid<T>(
+  HexMesh<T> quarter = o_grid<T>(
       n,
       [&](Index i, Index j, Index k) {
         return placed(core_point(core, fraction(i), fraction(j), front_fraction(k)), k);
       },
       on_surface);
+  if (shape.nose == Nose::sphere) quarter = with_rear_half(std::move(quarter), shoulder);
+  if (shape.nose == Nose::chisel) push_back_front(quarter, shape);
   HexMesh<T> mesh = extended(quarter, extent);
   check_mesh(mesh, std::string(name(shape.nose)) + " projectile");
+  check_quality(quarter, shape);
   return mesh;
 }
 

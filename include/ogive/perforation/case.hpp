@@ -34,8 +34,11 @@ template <class T> struct PerforationCase {
   T projectile_mass = T(0);      ///< of the whole projectile, kg; 0: by the density of its metal
   T initial_velocity = T(303.5); ///< m/s
   T obliquity = T(0);            ///< angle between the line of flight and the plate's axis, rad; not in a quarter model
-  T friction = T(0);             ///< Coulomb, plate on projectile
-  bool rigid_projectile = false; ///< it moves as one, and does not deform
+  T pitch = T(0);    ///< of the projectile's axis against the line of flight, rad, in the plane of flight and of the
+                     ///< plate's axis: positive where the obliquity grows; not in a quarter model
+  T yaw = T(0);      ///< likewise out of that plane, towards +y; in a full model alone
+  T friction = T(0); ///< Coulomb, plate on projectile
+  bool rigid_projectile = false;        ///< it moves as one, and does not deform
   Extent extent = Extent::quarter;      ///< how much of the model is computed
   std::vector<PlateBehind<T>> behind{}; ///< more plates, in the order in which the projectile meets them
 };
@@ -68,9 +71,17 @@ template <class T> Vec3<T> direction_of_flight(const PerforationCase<T> &c) {
   return {std::sin(c.obliquity), T(0), -std::cos(c.obliquity)};
 }
 
+/// Unit vector along the projectile's axis, from tail to tip, at the start.
+template <class T> Vec3<T> direction_of_axis(const PerforationCase<T> &c) {
+  const T tilt = c.obliquity + c.pitch;
+  return {std::cos(c.yaw) * std::sin(tilt), std::sin(c.yaw), -std::cos(c.yaw) * std::cos(tilt)};
+}
+
 /// Smallest radius of the disc of particles, m: the projectile goes through it with two particle distances to spare.
+/// One that flies at an angle to its axis sweeps half its length as well.
 template <class T> T least_sph_radius(const PerforationCase<T> &c) {
-  return T(0.5) * c.projectile.diameter / std::cos(c.obliquity) + target_depth(c) * std::tan(c.obliquity) +
+  const T swept = T(0.5) * length(c.projectile) * std::hypot(std::sin(c.pitch), std::sin(c.yaw));
+  return T(0.5) * c.projectile.diameter / std::cos(c.obliquity) + target_depth(c) * std::tan(c.obliquity) + swept +
          T(2) * c.spacing;
 }
 

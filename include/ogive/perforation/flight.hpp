@@ -56,7 +56,7 @@ template <class T> Flight<T> start_flight(const PerforationCase<T> &c) {
   flight.diameter = c.projectile.diameter;
   flight.initial_velocity = c.initial_velocity;
   flight.direction = direction_of_flight(c);
-  flight.sharp = c.projectile.nose != Nose::blunt;
+  flight.sharp = is_sharp(c.projectile);
   return flight;
 }
 

@@ -3,6 +3,7 @@
 
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/fem/hex_time_step.hpp"
+#include "ogive/material/any_flow_law.hpp"
 #include "ogive/material/library.hpp"
 #include "ogive/mesh/facets.hpp"
 #include "ogive/mesh/projectile.hpp"
@@ -21,13 +22,14 @@
 
 namespace ogive {
 
-/// A model of plates and a projectile.
-template <class T, class Law, class Kernel, class Form, class Rule>
+/// A model of plates with the flow law `Law` and a projectile with `ShotLaw`.
+template <class T, class Law, class Kernel, class Form, class Rule, class ShotLaw = Bilinear<T>>
 using PerforationModel =
-    Model<T, PerforationBodies<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, Bilinear<T>, Rule>>>;
+    Model<T, PerforationBodies<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>, HexBody<T, ShotLaw, Rule>>>;
 
-/// A perforation model whose flow law, kernel, form and rule are chosen when the program runs: one type for all cases.
-template <class T> using AnyPerforationModel = PerforationModel<T, AnyJohnsonCook<T>, AnyKernel, AnyForm, AnyRule>;
+/// A perforation model whose flow laws, kernel, form and rule are chosen when the program runs: one type for all cases.
+template <class T>
+using AnyPerforationModel = PerforationModel<T, AnyFlowLaw<T>, AnyKernel, AnyForm, AnyRule, AnyFlowLaw<T>>;
 
 /// The particles of a plate: of the only one, or of the `layer`-th from the front, from 0.
 template <class M> auto &plate_particles(M &model, std::size_t layer = 0) {
@@ -64,24 +66,56 @@ template <class T, class Body> void raise_time_step_within(Body &body, Nodes<T> 
   }
 }
 
-/// Turns a projectile's mesh, which points to -z with its tip at z = 0, into the line of flight, and draws it back
-/// along that line until it touches the plane z = 0 from above.
+/// Height of the centre of a mesh's volume above z = 0, m.
+template <class T> T centre_height(const HexMesh<T> &mesh) {
+  T whole{}, moment{};
+  for (Index e = 0; e < static_cast<Index>(mesh.hexes.size()); ++e) {
+    const Corners<T> x = corners(mesh, e);
+    const T part = hex_volume<T>(x);
+    whole += part, moment += part * x.col(2).mean();
+  }
+  return moment / whole;
+}
+
+/// Turns a projectile's mesh, which points to -z with its tip at z = 0, into its axis at the start, with its centre on
+/// the line of flight through the middle of the plate, and draws it back along that line until it touches the plane
+/// z = 0 from above.
 template <class T> HexMesh<T> in_line_of_flight(HexMesh<T> mesh, const PerforationCase<T> &c) {
-  if (c.obliquity == T(0)) return mesh;
+  const bool tilted = c.pitch != T(0) || c.yaw != T(0);
+  if (c.obliquity == T(0) && !tilted) return mesh;
   const Vec3<T> flight = direction_of_flight(c);
-  const T s = flight[0], cosine = -flight[2];
-  T lowest{};
+  const T s = std::sin(c.obliquity + c.pitch), cosine = std::cos(c.obliquity + c.pitch);
+  Vec3<T> shift = Vec3<T>::Zero();
+  if (tilted) {
+    const Vec3<T> centre = -centre_height(mesh) * direction_of_axis(c);
+    shift = flight * flight.dot(centre) - centre;
+    for (Vec3<T> &p : mesh.positions)
+      p = Vec3<T>(p[0], std::cos(c.yaw) * p[1] - std::sin(c.yaw) * p[2],
+                  std::sin(c.yaw) * p[1] + std::cos(c.yaw) * p[2]);
+  }
+  T lowest = tilted ? std::numeric_limits<T>::max() : T(0);
   for (Vec3<T> &p : mesh.positions) {
     p = Vec3<T>(cosine * p[0] - s * p[2], p[1], s * p[0] + cosine * p[2]);
+    if (tilted) p += shift;
     lowest = std::min(lowest, p[2]);
   }
-  for (Vec3<T> &p : mesh.positions) p += lowest / cosine * flight;
+  for (Vec3<T> &p : mesh.positions) p += lowest / -flight[2] * flight;
   return mesh;
 }
 
+/// Volume that the density of a projectile of given mass refers to, m3: that of its shape, which the hexes of the
+/// paper's projectiles have to 0.1 %, or of the hexes themselves.
+template <class T> T reference_volume(const PerforationCase<T> &c, const HexMesh<T> &mesh) {
+  const auto &noses = paper_noses;
+  const bool of_shape =
+      std::find(noses.begin(), noses.end(), c.projectile.nose) != noses.end() && c.projectile.tail_length == T(0);
+  return of_shape ? volume(c.projectile) : T(symmetry_planes(c.extent).copies()) * volume(mesh);
+}
+
 /// The metal with the density that gives the projectile of a case its target mass.
-template <class T> Metal<T, Bilinear<T>> metal_of_mass(Metal<T, Bilinear<T>> metal, const PerforationCase<T> &c) {
-  if (c.projectile_mass != T(0)) metal.density = c.projectile_mass / volume(c.projectile);
+template <class T, class Law>
+Metal<T, Law> metal_of_mass(Metal<T, Law> metal, const PerforationCase<T> &c, const HexMesh<T> &mesh) {
+  if (c.projectile_mass != T(0)) metal.density = c.projectile_mass / reference_volume(c, mesh);
   return metal;
 }
 
@@ -93,9 +127,15 @@ template <class T> void check(const PerforationCase<T> &c) {
   require(c.obliquity >= T(0) && c.obliquity <= T(1.05), "obliquity (rad)", c.obliquity, "must lie between 0 and 1.05");
   require(c.obliquity == T(0) || c.extent != Extent::quarter, "obliquity (rad)", c.obliquity,
           "must be 0 in a quarter model");
+  constexpr T most_tilt = T(0.79);
+  require(std::abs(c.pitch) <= most_tilt, "pitch (rad)", c.pitch, "must lie between -0.79 and 0.79");
+  require(std::abs(c.yaw) <= most_tilt, "yaw (rad)", c.yaw, "must lie between -0.79 and 0.79");
+  require(c.pitch == T(0) || c.extent != Extent::quarter, "pitch (rad)", c.pitch, "must be 0 in a quarter model");
+  require(c.yaw == T(0) || c.extent == Extent::full, "yaw (rad)", c.yaw, "must be 0 but in a full model");
   require(c.sph_radius > T(0.5) * c.projectile.diameter, "radius of the particle disc (m)", c.sph_radius,
           "must be larger than the projectile's");
-  require(c.obliquity == T(0) || c.sph_radius >= least_sph_radius(c), "radius of the particle disc (m)", c.sph_radius,
+  const bool straight = c.obliquity == T(0) && c.pitch == T(0) && c.yaw == T(0);
+  require(straight || c.sph_radius >= least_sph_radius(c), "radius of the particle disc (m)", c.sph_radius,
           "must leave room for the oblique projectile, at least " + std::to_string(least_sph_radius(c)));
   require(c.clamp_radius > c.sph_radius, "clamp radius (m)", c.clamp_radius,
           "must be larger than that of the particle disc");
@@ -113,11 +153,10 @@ template <class T> void check(const PerforationCase<T> &c) {
 }
 
 /// Adds the projectile, which touches the first plate and flies at it.
-template <class Rule, class T>
-HexBody<T, Bilinear<T>, Rule> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &c, const HexMesh<T> &mesh,
-                                             const Metal<T, Bilinear<T>> &metal, const HexOptions<T> &options,
-                                             T tolerance, Rule rule) {
-  auto shot = add_hex_body<Rule>(nodes, mesh, metal_of_mass(metal, c), "projectile", options, rule);
+template <class Rule, class T, class Law>
+HexBody<T, Law, Rule> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &c, const HexMesh<T> &mesh,
+                                     const Metal<T, Law> &metal, const HexOptions<T> &options, T tolerance, Rule rule) {
+  auto shot = add_hex_body<Rule>(nodes, mesh, metal_of_mass(metal, c, mesh), "projectile", options, rule);
   hold_on_planes(nodes, shot.nodes, symmetry_planes(c.extent), tolerance);
   set_velocity(nodes, shot.nodes, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
   return shot;
@@ -127,10 +166,11 @@ HexBody<T, Bilinear<T>, Rule> add_projectile(Nodes<T> &nodes, const PerforationC
 /// of particles tied to a rim of hexes, or of hexes that turn into particles; and a projectile that touches the first
 /// plate and flies towards -z. Plates touch each other without friction. Throws SetupError for sizes that do not fit
 /// together and for several plates of hexes.
-template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
-PerforationModel<T, Law, Kernel, Form, Rule>
+template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
+          class ShotLaw>
+PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
 make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &metals,
-                 const Metal<T, Bilinear<T>> &projectile_metal, PerforationOptions<T> options = {},
+                 const Metal<T, ShotLaw> &projectile_metal, PerforationOptions<T> options = {},
                  const Discretisation<Kernel, Form, Rule> &parts = {}) {
   check(c);
   const bool of_hexes = options.plate == PlateKind::hexes;
@@ -181,20 +221,21 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   for (std::size_t k = 0; k < facets.size(); ++k)
     ties.push_back(make_tie(nodes, particles[k].nodes, facets[k].edge, hexes[k].hexes, particles[k].spacing));
 
-  PerforationModel<T, Law, Kernel, Form, Rule> model{
+  PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw> model{
       std::move(nodes), {std::move(particles), std::move(hexes), std::move(shot)}, planes};
   model.contacts = std::move(contacts);
   model.particle_contacts = std::move(particle_contacts);
   model.ties = std::move(ties);
-  if (c.rigid_projectile) model.rigid_parts.push_back({projectile(model).nodes});
+  if (c.rigid_projectile) model.rigid_parts.push_back(make_rigid_part(model.nodes, projectile(model).nodes));
   if (of_hexes) add_conversion(model, options);
   return model;
 }
 
 /// The same with one metal for all plates.
-template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law>
-PerforationModel<T, Law, Kernel, Form, Rule>
-make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate, const Metal<T, Bilinear<T>> &projectile_metal,
+template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
+          class ShotLaw>
+PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
+make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate, const Metal<T, ShotLaw> &projectile_metal,
                  PerforationOptions<T> options = {}, const Discretisation<Kernel, Form, Rule> &parts = {}) {
   return make_perforation(c, std::vector(1 + c.behind.size(), plate), projectile_metal, options, parts);
 }

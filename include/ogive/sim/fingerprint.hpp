@@ -132,7 +132,7 @@ template <class T, class Bodies> std::uint64_t fingerprint(const Model<T, Bodies
       // Beside 1, so that the round-off of a weight of zero does not count.
       for (const T weight : t.weights) print.add(T(1) + weight);
     }
-  for (const RigidPart &part : model.rigid_parts) print.add(part.nodes);
+  for (const RigidPart<T> &part : model.rigid_parts) print.add(part.nodes);
   for (const Conversion<T> &c : model.conversions) {
     print.add(c.plate), print.add(c.surface), print.add(c.options.every);
     for (const T number : {c.options.largest_compression, c.options.smallest_step, c.options.least_checked_strain})

@@ -8,6 +8,7 @@
 #include "ogive/core/symmetry.hpp"
 #include "ogive/sim/conversion.hpp"
 #include "ogive/sim/phases.hpp"
+#include "ogive/sim/rigid_part.hpp"
 
 #include <cstdint>
 #include <string>
@@ -48,11 +49,6 @@ template <class P, class H, class S, class F> void for_each_body_of(const Perfor
 }
 ///@}
 
-/// Nodes that move as one, in the directions they are free in: a rigid body without rotation.
-struct RigidPart {
-  NodeRange nodes{}; ///< that move as one
-};
-
 /// Nodes, the bodies that connect them, and what acts between bodies. `Bodies` is a std::tuple of them, or
 /// PerforationBodies.
 template <class T, class Bodies> struct Model {
@@ -61,7 +57,7 @@ template <class T, class Bodies> struct Model {
   SymmetryPlanes symmetry{};                           ///< mirror planes
   std::vector<NodeToSurface<T>> contacts{};            ///< between bodies
   std::vector<Tie<T>> ties{};                          ///< between bodies
-  std::vector<RigidPart> rigid_parts{};                ///< bodies that do not deform
+  std::vector<RigidPart<T>> rigid_parts{};             ///< bodies that do not deform
   std::vector<ParticleContact<T>> particle_contacts{}; ///< between bodies of particles
   std::vector<Conversion<T>> conversions{};            ///< bodies of hexes that turn into particles
 

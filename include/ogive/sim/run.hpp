@@ -61,7 +61,7 @@ struct RunResult {
 /// Calls `f(body)` for each body that deforms.
 template <class T, class Bodies, class F> void for_each_deformable(const Model<T, Bodies> &model, F &&f) {
   for_each_body(model, [&](const auto &body) {
-    for (const RigidPart &part : model.rigid_parts)
+    for (const RigidPart<T> &part : model.rigid_parts)
       if (part.nodes.begin <= body.nodes.begin && body.nodes.end <= part.nodes.end) return;
     f(body);
   });

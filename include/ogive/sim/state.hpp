@@ -88,6 +88,14 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     FullOrEmpty searched_at{contact.searched_at, contact.volume.size()};
     field("positions of the search", searched_at);
   }
+  for (auto &part : model.rigid_parts) {
+    if (!turns(part)) continue;
+    f("centre of a rigid part", part.centre);
+    f("scalar of its orientation", part.orientation.scalar);
+    f("vector of its orientation", part.orientation.vector);
+    f("velocity of a rigid part", part.velocity);
+    f("angular momentum of a rigid part", part.angular_momentum);
+  }
   for (auto &conversion : model.conversions)
     for_each_conversion_field(conversion,
                               [&](const char *name, auto &value) { f("conversion " + std::string(name), value); });

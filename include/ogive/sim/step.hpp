@@ -10,6 +10,7 @@
 #include "ogive/material/stress_update.hpp"
 #include "ogive/sim/convert.hpp"
 #include "ogive/sim/model.hpp"
+#include "ogive/sim/rigid_part.hpp"
 #include "ogive/sph/force.hpp"
 #include "ogive/sph/gradient.hpp"
 
@@ -18,19 +19,6 @@ namespace ogive {
 /// Sets all forces to zero.
 template <class T> void clear_forces(Nodes<T> &nodes) {
   parallel_for(nodes.size(), [&](Index n) { nodes.force[n] = Vec3<T>::Zero(); });
-}
-
-/// Gives the nodes of a rigid part the forces that accelerate them as one.
-template <class T> void rigidify(const RigidPart &part, Nodes<T> &nodes) {
-  const Index begin = part.nodes.begin, n = part.nodes.size();
-  const T mass = ordered_sum(n, T(0), [&](Index i) { return nodes.mass[begin + i]; });
-  const Vec3<T> force = ordered_sum(n, Vec3<T>(Vec3<T>::Zero()), [&](Index i) { return nodes.force[begin + i]; });
-  std::uint8_t held = held_none;
-  for (Index i = 0; i < n; ++i) held |= nodes.held[begin + i];
-  Vec3<T> acceleration = force / mass;
-  for (int d = 0; d < 3; ++d)
-    if (held & (1 << d)) acceleration[d] = T(0);
-  parallel_for(n, [&](Index i) { nodes.force[begin + i] = nodes.mass[begin + i] * acceleration; });
 }
 
 /// Impulse that the supports give over `dt_mid` (s): minus the force on held nodes, in the held directions, N s.
@@ -107,7 +95,7 @@ template <class M, class T> void step(M &model, T dt) {
   add_contact_forces(model, dt_old, dt);
   lap(Phase::contact);
   for (const auto &tie : model.ties) hand_over_forces(tie, nodes);
-  for (const auto &part : model.rigid_parts) rigidify(part, nodes);
+  for (auto &part : model.rigid_parts) rigidify(part, nodes, dt_mid, dt);
   model.support_impulse += support_impulse(nodes, dt_mid);
   integrate(nodes, dt_mid, dt);
   for (const auto &tie : model.ties) move_slaves(tie, nodes);

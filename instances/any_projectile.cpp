@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include "instances.hpp"
-
-namespace ogive {
-
-OGIVE_HEXES(, instances::AnyProjectile)
-
-} // namespace ogive
