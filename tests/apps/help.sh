@@ -67,8 +67,8 @@ completes "shoot sweep" s
 completes "completion" comp
 completes "--thickness-mm" shoot --thick
 completes "--thickness-mm" limit --quiet --thick
-completes "blunt conical ogival hemispherical" shoot --nose ""
-completes "conical" shoot --nose c
+completes "blunt conical ogival hemispherical chisel sphere profile" shoot --nose ""
+completes "conical chisel" shoot --nose c
 completes "aa5083_h116 aa5083_h116_25mm" mesh --material aa50
 completes "--no-vtk" shoot --no-v
 completes "--config" shoot --conf
