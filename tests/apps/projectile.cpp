@@ -114,7 +114,7 @@ TEST_CASE("bad projectiles are refused with option, value and what is allowed") 
        "fsp_127mm, or a file that ends in .toml"},
       {{"--projectile", "fsp_20"}, "--projectile = fsp_20: must be one of "},
       {{"--projectile", "gone.toml"}, "--projectile = gone.toml: must be a TOML file that can be read"},
-      {{"--projectile-metal", "lead"}, "--projectile-metal = lead: must be one of arne_tool_steel, apm2_core_steel, "},
+      {{"--projectile-metal", "leed"}, "--projectile-metal = leed: must be one of arne_tool_steel, apm2_core_steel, "},
       {{"--projectile-metal", "gone.toml"}, "--projectile-metal = gone.toml: must be a TOML file that can be read"},
       {{"--profile", "gone.csv"}, "--profile = gone.csv: must be a CSV file that can be read"},
       {{"--nose", "profile"}, "--nose = profile: needs --profile FILE.csv"},
