@@ -53,7 +53,7 @@ std::string case_title(const fs::path &folder) {
     std::vector<double> layers_mm;
     if (summary.contains("layers"))
       for (const auto &layer : summary["layers"]) layers_mm.push_back(layer.at("thickness_mm").get<double>());
-    return (metal ? std::string(metal->test_name) : text("material")) + ", " + text("nose") + ", " +
+    return (metal ? std::string(metal->title) : text("material")) + ", " + text("nose") + ", " +
            (layers_mm.empty() ? number("thickness_mm") : options::joined(layers_mm, " + ")) + " mm, " +
            number("initial_velocity_mps") + " m/s" + (oblique ? " at " + number("obliquity_deg") + " deg" : "") +
            (text("method") == "sfm" ? "" : ", " + text("method"));
