@@ -103,7 +103,7 @@ int limit(const options::Arguments &arguments) {
       .name = "ogive limit",
       .purpose =
           "Finds the ballistic limit of a case by bisection, fires further shots above it, prints and draws the\n"
-          "fitted curve of the residual velocity. The same command resumes. --velocity-mps is the first shot.\n",
+          "fitted curve of the residual velocity. The same command resumes. The search begins at --velocity-mps.\n",
       .usage = "[options]",
       .examples = "  ogive limit --thickness-mm 8 --spacing-mm 1\n"
                   "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15 --width-mps 2\n",
@@ -135,7 +135,9 @@ int limit(const options::Arguments &arguments) {
       add(all, part);
       return complete = all.stopped_by == 0 && all.failed.empty();
     };
-    if (const auto coarse = study::coarser(series)) {
+    const auto known = study::read_all_rows(o.out, {});
+    const auto coarse = study::coarser(series);
+    if (coarse && (study::limits_in({series}, known).empty() || !study::limits_in({*coarse}, known).empty())) {
       report("First with twice the particle distance: the limit that is expected");
       study::Outcome first = study::find_limits(study, {*coarse}, l.width_mps, report);
       first.failed.clear(); // The search has its way without it.

@@ -122,7 +122,8 @@ Series guided_by(Series series, const Series &coarse, const std::vector<Row> &ro
   const auto estimate = ogive::limit_estimate(ogive::bracket(tried_shots(coarse.key, rows, true)));
   if (!estimate) return series;
   series.expected_mps = estimate->limit;
-  series.guess_mps = std::max(1.0, std::round(estimate->limit - width_mps / 2));
+  const double below = estimate->limit - width_mps / 2;
+  series.guess_mps = std::max(1.0, width_mps < 2 ? below : std::round(below));
   return series;
 }
 

@@ -96,6 +96,21 @@ TEST_CASE("lists of points that are spread widely hold what brute force finds", 
   REQUIRE(links_of(body, layout.positions) == expected);
 }
 
+TEST_CASE("lists of a block that flies far as one are built anew in time", "[sph]") {
+  // Coordinates in quanta have 30 bits: beyond four times the first extent they would not fit.
+  Nodes<double> nodes;
+  auto body = add_sph_body(nodes, block(5, 5, 5, 0.0), library::weldox_460e_mjc<double>(), "block");
+  prepare(body, nodes);
+  const double quantum = body.neighbours.quantum;
+  for (auto &x : nodes.position) x[2] += 10;
+  for (Index i = 0; i < nodes.size(); ++i) nodes.velocity[i] = Vec3<double>(0, 0, 100 * nodes.position[i][2]);
+  prepare(body, nodes);
+  CHECK(body.neighbours.quantum > quantum);
+  velocity_gradient(body);
+  // Quanta of 2^-25 m, 3e-8, of 1 mm, and velocities of 1 km/s in single precision, over distances of 1 mm.
+  for (const auto &L : body.points.velocity_gradient) CHECK(L(2, 2) == Approx(100).epsilon(0.2));
+}
+
 TEST_CASE("a particle behind a mirror plane and its neighbours find each other both ways", "[sph]") {
   auto layout = block(9, 8, 7, 0.3);
   layout.positions[3 * 72 + 3 * 9 + 5][0] = -0.8e-3;

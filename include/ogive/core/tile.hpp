@@ -66,7 +66,9 @@ inline void store_row_sums(float *to, __m512 a) {
 inline bool any_below(__m512 a, __m512 b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ) != 0; }
 #elif defined(__AVX__)
 inline __m256 repeated(const void *group) {
-  return _mm256_castpd_ps(_mm256_broadcast_sd(static_cast<const double *>(group)));
+  double both;
+  std::memcpy(&both, group, sizeof both);
+  return _mm256_castpd_ps(_mm256_set1_pd(both));
 }
 inline __m256 spread(const void *cluster) {
   const __m128 four = _mm_loadu_ps(static_cast<const float *>(cluster));

@@ -139,13 +139,13 @@ template <class T, class FindWay> FlightState state_of(const Flight<T> &flight, 
   const T tolerance = T(steady_share) * flight.initial_velocity, rest = T(rest_share) * flight.initial_velocity;
   if (now.advance < T(-2) * tolerance) return stopped;
   const bool has_left = now.tail >= flight.plate_thickness, moves = now.velocity > rest;
-  const bool steady = is_steady(flight, tolerance) || (moves && is_untouched(flight, tolerance));
+  const bool settled = is_steady(flight, tolerance), steady = settled || (moves && is_untouched(flight, tolerance));
   if (!steady && !(flight.sharp && has_left)) return in_progress;
   if (flight.sharp && moves && !has_left) return in_progress;
   const Way<T> way = find_way();
   if (!moves && !has_left) return way.clear && !way.inside ? in_progress : stopped;
   const bool moves_on = now.velocity - way.plate_velocity > rest;
-  const bool free = has_left ? (way.clear && now.velocity > T(0)) || (steady && moves_on)
+  const bool free = has_left ? (way.clear && now.velocity > T(0)) || (settled && moves_on)
                              : way.clear && moves_on && now.nose > flight.plate_thickness;
   return free ? perforated : in_progress;
 }

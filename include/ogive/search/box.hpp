@@ -45,14 +45,18 @@ template <class T, class F> Box<T> box_of_moves(Index count, F &&move) {
       });
 }
 
-/// Upper bound of the relative displacement of any two of `count` points with the displacements `move(k)` (m), mirror
-/// images included, m: the diagonal of the box of all displacements. NaN if one of them is.
-template <class T, class F> T largest_relative_move(Index count, F &&move, SymmetryPlanes planes) {
-  const Box<T> box = box_of_moves<T>(count, move);
+/// Upper bound of the relative displacement of any two points whose displacements lie in `box` (m), mirror images
+/// included, m: its diagonal. NaN if one of them is.
+template <class T> T largest_relative_move(const Box<T> &box, SymmetryPlanes planes) {
   Vec3<T> extent = box.high - box.low;
   if (planes.x) extent[0] = std::max(extent[0], T(2) * std::max(box.high[0], -box.low[0]));
   if (planes.y) extent[1] = std::max(extent[1], T(2) * std::max(box.high[1], -box.low[1]));
   return extent.norm();
+}
+
+/// The same for `count` points with the displacements `move(k)` (m).
+template <class T, class F> T largest_relative_move(Index count, F &&move, SymmetryPlanes planes) {
+  return largest_relative_move(box_of_moves<T>(count, move), planes);
 }
 
 } // namespace ogive

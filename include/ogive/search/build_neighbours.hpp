@@ -36,9 +36,9 @@ template <class T> std::int32_t in_quanta(T length, T quantum) {
 /// Coordinates of places in quanta, one array for each axis.
 using FixedPositions = std::array<std::vector<std::int32_t>, 3>;
 
-/// A power of two, m, of which all coordinates of the points at `positions` (m) are less than 2^29.
-template <class T> T quantum_for(std::span<const Vec3<T>> positions) {
-  T furthest = std::numeric_limits<T>::min();
+/// A power of two, m, of which all coordinates of the points at `positions` (m) and `least` (m) are less than 2^29.
+template <class T> T quantum_for(std::span<const Vec3<T>> positions, T least) {
+  T furthest = least;
   for (const Vec3<T> &x : positions) furthest = std::max(furthest, x.cwiseAbs().maxCoeff());
   return std::ldexp(T(1), std::ilogb(furthest) - 28);
 }
@@ -49,7 +49,7 @@ template <class T>
 std::array<std::vector<Index>, 4> find_images(Neighbours<T> &n, std::span<const Vec3<T>> positions,
                                               const Columns<T> &columns, SymmetryPlanes planes) {
   // A little longer, so that no pair is missed by round-off.
-  const Vec3<T> reach = furthest_behind(positions) + Vec3<T>::Constant(n.reach * T(1.0001));
+  const Vec3<T> reach = furthest_behind(positions) + Vec3<T>::Constant(n.reach * T(1.0001) + T(4) * n.quantum);
   std::array<std::vector<Index>, 4> place;
   n.images.clear();
   for_each_reflection(planes, [&](Reflection in) {
@@ -123,7 +123,7 @@ template <class T>
 void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, SymmetryPlanes planes, T support, T skin) {
   n.support = support;
   n.reach = support + skin;
-  n.quantum = quantum_for(positions);
+  n.quantum = quantum_for(positions, n.reach);
   n.built_at.assign(positions.begin(), positions.end());
   n.listed = static_cast<Index>(positions.size());
   // The support of the default smoothing length is 2.4 particle distances.
@@ -132,7 +132,7 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   while (n.order.size() % block_size<>) n.order.push_back(n.order.back());
   const auto image_place = find_images(n, positions, columns, planes);
   const Index total = static_cast<Index>(columns.begin.size()) - 1;
-  const float reach = static_cast<float>(n.reach / n.quantum * T(1 + 1e-5));
+  const float reach = static_cast<float>(n.reach / n.quantum * T(1 + 1e-5) + T(2));
   Search<T> search{columns, std::vector<Box<T>>(total), {}, n.reach, reach * reach};
   for (auto &x : search.x) x.resize(n.order.size());
   parallel_for(static_cast<Index>(n.order.size()), [&](Index k) {
@@ -188,14 +188,16 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, std:
 }
 
 /// True if the lists may miss a neighbour: some two particles may have moved by more than the skin relative to each
-/// other.
+/// other; or if coordinates may have left the range of the quanta.
 template <class T>
 bool are_stale(const Neighbours<T> &n, std::span<const Vec3<T>> positions, SymmetryPlanes planes, T support) {
   if (n.built_at.size() != positions.size()) return true;
   if (n.order.empty()) return false;
   const auto move = [&](Index k) { return Vec3<T>(positions[n.order[k]] - n.built_at[n.order[k]]); };
-  const T relative = largest_relative_move<T>(static_cast<Index>(n.order.size()), move, planes);
-  return std::isfinite(relative) && relative > n.reach - support;
+  const Box<T> moves = box_of_moves<T>(static_cast<Index>(n.order.size()), move);
+  const T relative = largest_relative_move(moves, planes);
+  const T furthest = moves.low.cwiseAbs().cwiseMax(moves.high.cwiseAbs()).maxCoeff();
+  return std::isfinite(relative) && (relative > n.reach - support || furthest > std::ldexp(n.quantum, 29));
 }
 
 } // namespace ogive

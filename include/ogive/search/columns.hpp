@@ -56,6 +56,7 @@ template <class T> Columns<T> lay_columns(std::span<const Vec3<T>> positions, T 
 /// Sorts the points at `positions` (m) into columns of the width `width` (m), by z within a column and by their number
 /// where z is the same, and cuts the columns into clusters.
 template <class T> Columns<T> sort_into_columns(std::span<const Vec3<T>> positions, T width) {
+  if (positions.empty()) return {};
   Columns<T> columns = lay_columns(positions, width);
   const Index n = static_cast<Index>(positions.size()), total = columns.count[0] * columns.count[1];
   std::vector<Index> column(n), points_in(total, 0);
