@@ -131,7 +131,7 @@ TEST_CASE("neighbour lists are rebuilt before a pair can be missed", "[sph]") {
   const std::span<const Vec3<double>> x(nodes.position);
   const double support = body.neighbours.support, skin = body.neighbours.reach - support;
   CHECK_FALSE(are_stale(body.neighbours, x, {}, support));
-  for (auto &p : nodes.position) p += Vec3<double>(10, -3, 1);
+  for (auto &p : nodes.position) p += Vec3<double>(4e-3, -3e-3, 1e-3);
   CHECK_FALSE(are_stale(body.neighbours, x, {}, support));      // moved as one
   CHECK(are_stale(body.neighbours, x, {true, false}, support)); // but not relative to their mirror images
   nodes.position[3][2] += 0.9 * skin;
