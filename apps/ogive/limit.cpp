@@ -103,7 +103,7 @@ int limit(const options::Arguments &arguments) {
       .name = "ogive limit",
       .purpose =
           "Finds the ballistic limit of a case by bisection, fires further shots above it, prints and draws the\n"
-          "fitted curve of the residual velocity. The same command resumes. The search begins at --velocity-mps.\n",
+          "fitted curve of the residual velocity. The same command resumes. It begins at --velocity-mps.\n",
       .usage = "[options]",
       .examples = "  ogive limit --thickness-mm 8 --spacing-mm 1\n"
                   "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15 --width-mps 2\n",
