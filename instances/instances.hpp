@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/contact/follow.hpp"
 #include "ogive/io/checkpoint.hpp"
 #include "ogive/io/frame.hpp"
 #include "ogive/ogive.hpp"
@@ -85,14 +84,11 @@
   extern_ template ParticleLayout<double> cubic_disc(const DiscShape<double> &, Extent);                               \
   extern_ template ParticleLayout<double> ring_disc(const DiscShape<double> &, Extent);                                \
   extern_ template HexMesh<double> rim_mesh(const RimShape<double> &, Extent);                                         \
-  extern_ template HexMesh<double> plate_mesh(const PlateShapeOfHexes<double> &, Extent);                              \
   extern_ template HexMesh<double> projectile_mesh(const ProjectileShape<double> &, double, Extent);                   \
   extern_ template void check_mesh(const HexMesh<double> &, std::string_view);                                         \
   extern_ template std::vector<Facet> boundary_facets(const HexMesh<double> &);                                        \
   extern_ template std::vector<Facet> facets_off_planes(const std::vector<Facet> &, const std::vector<Vec3<double>> &, \
                                                         SymmetryPlanes, double);                                       \
-  extern_ template FaceNeighbours face_neighbours(const std::vector<std::array<Index, 8>> &, const Nodes<double> &,    \
-                                                  SymmetryPlanes);                                                     \
   extern_ template Tie<double> make_tie(Nodes<double> &, NodeRange, const std::vector<Facet> &,                        \
                                         const std::vector<std::array<Index, 8>> &, double);                            \
   extern_ template void hand_over_forces(const Tie<double> &, Nodes<double> &);                                        \
@@ -108,8 +104,6 @@
 #define OGIVE_CONTACTS(extern_)                                                                                        \
   extern_ template void build_neighbours(Neighbours<double> &, std::span<const Vec3<double>>, SymmetryPlanes, double,  \
                                          double);                                                                      \
-  extern_ template void build_neighbours(Neighbours<double> &, std::span<const Vec3<double>>, std::span<const Index>,  \
-                                         SymmetryPlanes, double, double);                                              \
   extern_ template bool are_stale(const Neighbours<double> &, std::span<const Vec3<double>>, SymmetryPlanes, double);  \
   extern_ template Bonds<double> make_bonds(std::span<const Vec3<double>>, SymmetryPlanes, double);                    \
   extern_ template NodeToSurface<double> make_contact(const Nodes<double> &, std::vector<Index>, std::vector<double>,  \
@@ -118,8 +112,6 @@
   extern_ template void set_facets(NodeToSurface<double> &, const Nodes<double> &, std::vector<Facet>);                \
   extern_ template void search(NodeToSurface<double> &, const Nodes<double> &);                                        \
   extern_ template void add_contact_force(NodeToSurface<double> &, Nodes<double> &, double, double);                   \
-  extern_ template void follow_slaves(NodeToSurface<double> &, Nodes<double> &, double);                               \
-  extern_ template void follow_surface(NodeToSurface<double> &, Nodes<double> &, std::vector<Facet>, double);          \
   extern_ template void add_contact(Fingerprint &, const NodeToSurface<double> &);                                     \
   extern_ template ParticleContact<double> make_particle_contact(                                                      \
       const Nodes<double> &, const std::vector<ContactBody<double>> &, double, std::string, SymmetryPlanes);           \

@@ -8,6 +8,7 @@
 #include "study/finish.hpp"
 #include "study/plots.hpp"
 
+#include "ogive/fit/repeated_limit.hpp"
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/io/text.hpp"
 #include "ogive/io/write_error.hpp"
@@ -20,8 +21,12 @@ namespace {
 
 struct LimitOptions {
   double width_mps = 5; ///< of the bracket
+  int repeats = 1;      ///< searches, each with an arrangement of its own
   bool run = true;
 };
+
+/// The searches of one limit differ in it.
+const study::Texts own_columns{"seed"};
 
 // clang-format off
 options::Table table_of(shot::Options &o, LimitOptions &l) {
@@ -32,6 +37,10 @@ options::Table table_of(shot::Options &o, LimitOptions &l) {
   options::add(t, l.width_mps, {.key = "width_mps",
       .meaning = "difference of the velocities between which the limit is to lie", .source = "ours",
       .brief = "width of the bracket of the limit", .limits = {0.1, 500, "m/s"}, .in_file = false});
+  options::add(t, l.repeats, {.key = "repeats",
+      .meaning = "searches, the first with --seed, the next with that and 1 more each; gives mean, standard deviation "
+      "and 90 % interval", .source = "ours", .brief = "searches with other arrangements of the particles",
+      .limits = {1, 1000, ""}, .in_file = false});
   return t;
 }
 // clang-format on
@@ -49,9 +58,15 @@ void print_fit(const ogive::BallisticFit<double> &fit) {
               fit.rms);
 }
 
+/// The limit that the shots of a series give; nothing while one side is open.
+std::optional<ogive::LimitEstimate<double>> limit_of(const study::Series &series, const std::filesystem::path &out) {
+  const auto limits = study::limits_in({series}, study::read_all_rows(out, own_columns));
+  return limits.empty() ? std::nullopt : ogive::limit_estimate(limits.front().bracket);
+}
+
 /// Prints the bracket of the limit and returns its middle; nothing if there is no limit.
 std::optional<double> print_bisection(const study::Series &series, const std::filesystem::path &out) {
-  const auto limits = study::limits_in({series}, study::read_all_rows(out, {}));
+  const auto limits = study::limits_in({series}, study::read_all_rows(out, own_columns));
   if (limits.empty()) return std::nullopt;
   const auto &bracket = limits.front().bracket;
   const auto estimate = ogive::limit_estimate(bracket);
@@ -65,16 +80,43 @@ std::optional<double> print_bisection(const study::Series &series, const std::fi
   return estimate ? std::optional(estimate->limit) : std::nullopt;
 }
 
+/// Prints what the limits of all arrangements have in common and writes OUT/repeats.csv.
+void finish_repeats(const std::vector<study::Series> &series, const std::filesystem::path &out) {
+  std::vector<ogive::LimitEstimate<double>> limits;
+  std::string each;
+  for (const study::Series &one : series)
+    if (const auto limit = limit_of(one, out)) {
+      limits.push_back(*limit);
+      each += (each.empty() ? "" : ", ") + options::printed("%.1f", limit->limit);
+    }
+  if (limits.size() < 2) return;
+  const auto all = ogive::repeated_limit(limits);
+  std::printf("  %-22s %s m/s\n", "of each arrangement", each.c_str());
+  std::printf("  %-22s %.1f m/s, standard deviation %.1f m/s\n", "mean limit", all.mean, *all.deviation);
+  std::printf("  %-22s %.1f to %.1f m/s\n", "90 % interval", all.mean - *all.half_interval,
+              all.mean + *all.half_interval);
+  std::printf("  %-22s %s\n", "file", (out / "repeats.csv").c_str());
+  const auto text = [](double value) { return ogive::with_decimals(value, 2); };
+  ogive::write_atomically(out / "repeats.csv",
+                          "repeats,mean_mps,standard_deviation_mps,interval_low_mps,interval_high_mps\n" +
+                              study::csv_line({std::to_string(all.repeats), text(all.mean), text(*all.deviation),
+                                               text(all.mean - *all.half_interval),
+                                               text(all.mean + *all.half_interval)}));
+}
+
 /// Prints the fit, writes OUT/limits.csv and draws; with the tests of `tested`.
-void finish(const study::Series &series, const study::Series &tested, const std::filesystem::path &out) {
-  const auto rows = study::read_all_rows(out, {});
-  const auto limits = study::limits_in({series}, rows);
+void finish(const std::vector<study::Series> &series, const study::Series &tested, const std::filesystem::path &out) {
+  const auto rows = study::read_all_rows(out, own_columns);
+  const auto limits = study::limits_in(series, rows);
   if (limits.empty()) return;
   if (limits.front().fit) print_fit(*limits.front().fit);
   if (const auto test = tested.published.test_limit_mps) std::printf("  %-22s %.1f m/s\n", "limit of the tests", *test);
-  ogive::write_atomically(out / "limits.csv", study::limits_csv(limits, {}));
+  finish_repeats(series, out);
+  ogive::write_atomically(out / "limits.csv", study::limits_csv(limits, own_columns));
   try {
-    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, {tested}, rows, {}, out, true);
+    std::vector<study::Series> drawn = series;
+    drawn.front() = tested;
+    study::draw_residuals({"limit", "Residual velocity and ballistic limit"}, drawn, rows, own_columns, out, true);
     std::printf("  %-22s %s\n", "plot", (out / "limit.svg").c_str());
   } catch (const ogive::WriteError &error) {
     std::fprintf(stderr, "ogive limit: left out: %s\n", error.what());
@@ -87,7 +129,7 @@ std::vector<study::Case> curve_above(const study::Series &series, double limit) 
   std::vector<study::Case> shots;
   for (const double times : {1.1, 1.25, 1.5, 2.0})
     if (limit * times < shot::largest_velocity_mps - 5)
-      shots.push_back(study::shot_of(series, 5 * std::ceil(limit * times / 5), {}));
+      shots.push_back(study::shot_of(series, 5 * std::ceil(limit * times / 5), own_columns));
   return shots;
 }
 
@@ -106,7 +148,8 @@ int limit(const options::Arguments &arguments) {
           "fitted curve of the residual velocity. The same command resumes. It begins at --velocity-mps.\n",
       .usage = "[options]",
       .examples = "  ogive limit --thickness-mm 8 --spacing-mm 1\n"
-                  "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15 --width-mps 2\n",
+                  "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15 --width-mps 2\n"
+                  "  ogive limit --thickness-mm 12 --repeats 3\n",
       .more = exit_statuses,
       .config = true};
   const auto line = options::read_values(command, table, arguments, std::cout);
@@ -120,11 +163,16 @@ int limit(const options::Arguments &arguments) {
   }
   // Two shots on a core each take less time than one after the other on both.
   const int threads = o.threads.value_or(study::cores());
-  const study::Study study{.out = o.out, .jobs = std::min(4, threads), .cores = threads};
-  const study::Series tested = study::series_of(study::case_of(o, {}, ""));
-  study::Series series = tested;
-  series.published = {};
-  series.guess_mps = line->find("velocity_mps") != nullptr ? o.velocity_mps : study::guess_mps(o);
+  const study::Study study{.out = o.out, .own_columns = own_columns, .jobs = std::min(4, threads), .cores = threads};
+  const study::Series tested = study::series_of(study::case_of(o, own_columns, ""));
+  std::vector<study::Series> series;
+  for (int k = 0; k < l.repeats; ++k) {
+    shot::Options other = o;
+    other.seed += k;
+    series.push_back(study::series_of(study::case_of(other, own_columns, "")));
+    series.back().published = {};
+    series.back().guess_mps = line->find("velocity_mps") != nullptr ? o.velocity_mps : study::guess_mps(o);
+  }
   bool complete = true;
   const auto run = [&](const study::Report &report) {
     report("Ballistic limit within " + options::shortest(l.width_mps / 2) + " m/s, " + o.out.string() + ", method " +
@@ -135,25 +183,34 @@ int limit(const options::Arguments &arguments) {
       add(all, part);
       return complete = all.stopped_by == 0 && all.failed.empty();
     };
-    const auto known = study::read_all_rows(o.out, {});
-    const auto coarse = study::coarser(series);
-    if (coarse && (study::limits_in({series}, known).empty() || !study::limits_in({*coarse}, known).empty())) {
+    study::Series &first = series.front();
+    const auto known = study::read_all_rows(o.out, own_columns);
+    const auto coarse = study::coarser(first, own_columns);
+    if (coarse && (study::limits_in({first}, known).empty() || !study::limits_in({*coarse}, known).empty())) {
       report("First with twice the particle distance: the limit that is expected");
-      study::Outcome first = study::find_limits(study, {*coarse}, l.width_mps, report);
-      first.failed.clear(); // The search has its way without it.
-      if (!may_continue(first)) return all;
-      const auto rows = study::read_all_rows(o.out, {});
-      series = study::guided_by(series, *coarse, rows, l.width_mps);
-      if (!may_continue(study::run_cases(study, study::first_pair(series, rows, l.width_mps), report))) return all;
+      study::Outcome part = study::find_limits(study, {*coarse}, l.width_mps, report);
+      part.failed.clear(); // The search has its way without it.
+      if (!may_continue(part)) return all;
+      const auto rows = study::read_all_rows(o.out, own_columns);
+      if (const auto limit = limit_of(*coarse, o.out)) first = study::guided_by(first, limit->limit, l.width_mps);
+      if (!may_continue(study::run_cases(study, study::first_pair(first, rows, l.width_mps, own_columns), report)))
+        return all;
     }
-    if (!may_continue(study::find_limits(study, {series}, l.width_mps, report))) return all;
-    if (const auto limit = print_bisection(series, o.out))
-      add(all, study::run_cases(study, curve_above(series, *limit), report));
+    if (!may_continue(study::find_limits(study, {first}, l.width_mps, report))) return all;
+    const auto limit = print_bisection(first, o.out);
+    if (limit && series.size() > 1) {
+      report("Then with other arrangements of the particles");
+      std::vector<study::Series> others;
+      for (std::size_t k = 1; k < series.size(); ++k)
+        others.push_back(study::guided_by(series[k], *limit, l.width_mps));
+      if (!may_continue(study::find_limits(study, others, l.width_mps, report))) return all;
+    }
+    if (limit) add(all, study::run_cases(study, curve_above(first, *limit), report));
     return all;
   };
   return study::run_study("ogive limit", study, l.run, run, [&] {
     if (!complete) return;
-    if (!l.run) print_bisection(series, o.out);
+    if (!l.run) print_bisection(series.front(), o.out);
     finish(series, tested, o.out);
   });
 }

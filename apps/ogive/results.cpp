@@ -57,7 +57,7 @@ std::string case_title(const fs::path &folder) {
            summary.value("projectile_name", text("nose")) + ", " +
            (layers_mm.empty() ? number("thickness_mm") : options::joined(layers_mm, " + ")) + " mm, " +
            number("initial_velocity_mps") + " m/s" + (oblique ? " at " + number("obliquity_deg") + " deg" : "") +
-           (text("method") == "sfm" ? "" : ", " + text("method"));
+           ", " + text("method");
   } catch (const std::exception &) {
     return folder_name(folder / "file");
   }

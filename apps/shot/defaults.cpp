@@ -23,9 +23,8 @@ double default_friction(Nose nose, const std::string &material) {
 
 /// Particle distance for which the constants of damage hold, mm; unset: that of each metal.
 std::optional<double> default_damage_length_mm(Method method, DamageLaw damage) {
-  if (damage == DamageLaw::none || method == Method::sfm) return 0;
-  if (method == Method::stabilised) return std::nullopt;
-  return std::round(ogive::length_of_hex_damage * 1e6) / 1e3;
+  if (damage == DamageLaw::none || !ogive::choices_of<double>(method).has_length) return 0;
+  return std::nullopt;
 }
 
 /// The value of an option in the name of a folder, numbers without the last digits of a conversion; empty for lists,
@@ -73,7 +72,7 @@ Options usual(const Options &o) {
   usual.pitch_deg = o.pitch_deg, usual.yaw_deg = o.yaw_deg;
   usual.damage = o.damage;
   take_defaults(usual, {{"damage", ""}});
-  usual.damage = default_damage(o.method);
+  usual.damage = default_damage(o);
   usual.nose_length_mm = o.nose_length_mm;
   usual.tip_diameter_mm = o.tip_diameter_mm;
   usual.profile_mm = o.profile_mm;
@@ -100,7 +99,10 @@ std::string differences(Options here) {
 
 } // namespace
 
-DamageLaw default_damage(Method method) { return method == Method::sfm ? DamageLaw::none : DamageLaw::johnson_cook; }
+DamageLaw default_damage(const Options &o) {
+  const DamageLaw law = ogive::choices_of<double>(o.method).damage;
+  return law == DamageLaw::johnson_cook && !have_failure_strains(o) ? DamageLaw::none : law;
+}
 
 FailureEffect default_failure(DamageLaw damage) {
   return damage == DamageLaw::none ? FailureEffect::none : FailureEffect::no_tension;
@@ -115,17 +117,16 @@ double default_end_us(const Options &o) {
 
 void take_defaults(Options &o, const options::Origins &origins) {
   const auto is_open = [&](const char *key) { return !origins.contains(key); };
-  const auto numerics = ogive::options_of<double>(o.method);
-  if (is_open("damage")) o.damage = default_damage(o.method);
+  const auto choices = ogive::choices_of<double>(o.method);
+  if (is_open("lattice")) o.lattice = choices.lattice;
+  if (is_open("damage")) o.damage = default_damage(o);
   if (is_open("damage_length_mm")) o.damage_length_mm = default_damage_length_mm(o.method, o.damage);
   if (o.damage != DamageLaw::none) {
-    if (is_open("damage_softening"))
-      o.damage_softening = o.method == Method::sfm ? 0 : ogive::softening_of_damage(o.method);
-    if (is_open("damage_length_exponent")) o.damage_length_exponent = ogive::length_exponent_of_damage(o.method);
-    if (is_open("damage_length_scope")) o.damage_length_scope = ogive::length_scope_of_damage(o.method);
-    if (is_open("damage_pressure")) o.damage_pressure = numerics.sph.damage_pressure;
+    if (is_open("damage_softening")) o.damage_softening = choices.softening;
+    if (is_open("damage_length_scope")) o.damage_length_scope = choices.length_scope;
+    if (is_open("damage_pressure")) o.damage_pressure = choices.numerics.sph.damage_pressure;
   }
-  if (is_open("control_stiffness")) o.control_stiffness = numerics.sph.control.stiffness;
+  if (is_open("control_stiffness")) o.control_stiffness = choices.numerics.sph.control.stiffness;
   if (is_open("failure")) o.failure = default_failure(o.damage);
   if (is_open("friction")) o.friction = default_friction(o.nose, o.material);
 }
@@ -150,7 +151,7 @@ std::string case_label(const Options &o) {
          (o.obliquity_deg == 0 ? "" : "_" + options::shortest(o.obliquity_deg) + "deg") +
          (o.pitch_deg == 0 ? "" : "_pitch" + options::shortest(o.pitch_deg) + "deg") +
          (o.yaw_deg == 0 ? "" : "_yaw" + options::shortest(o.yaw_deg) + "deg") +
-         (o.method == Method::sfm ? "" : "_" + name_of(o.method)) + differences(o);
+         (o.method == Options{}.method ? "" : "_" + name_of(o.method)) + differences(o);
 }
 
 std::filesystem::path default_out(const Options &o) { return std::filesystem::path("vtk_out") / case_label(o); }

@@ -11,8 +11,8 @@ namespace shot {
 /// failure, friction, end of the run.
 void take_defaults(Options &options, const options::Origins &given);
 
-/// The default of --damage: none in the paper's method, else Johnson and Cook's.
-DamageLaw default_damage(Method method);
+/// The default of --damage: that of the method, none where a metal has no failure strain.
+DamageLaw default_damage(const Options &options);
 
 /// The default of --failure: no tension where damage grows. Our choice.
 FailureEffect default_failure(DamageLaw damage);
@@ -21,7 +21,7 @@ FailureEffect default_failure(DamageLaw damage);
 std::filesystem::path default_out(const Options &options);
 
 /// <material, or the stem of its file>_<model>_<nose>_<thickness>mm_<velocity>mps, with diameter, obliquity and method
-/// where they are not those of the paper, and "_key=value" of every other option that makes the case another one. A
+/// where they are not the default, and "_key=value" of every other option that makes the case another one. A
 /// velocity below 0 is left out.
 std::string case_label(const Options &options);
 

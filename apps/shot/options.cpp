@@ -94,16 +94,6 @@ void check(const Options &o, const Origins &origins) {
     if (o.damage_length_scope != LengthScope::everywhere) refuse("damage_length_scope", o.damage_length_scope, needed);
     if (o.damage_pressure != DamagePressure::own) refuse("damage_pressure", o.damage_pressure, needed);
   }
-  if (o.method == Method::adaptive) {
-    if (o.damage != DamageLaw::none && o.failure != FailureEffect::no_tension)
-      refuse("failure", o.failure,
-             "must be no_tension with --method adaptive: so do the particles that hexes turn into");
-    if (o.damage_pressure != DamagePressure::own)
-      refuse("damage_pressure", o.damage_pressure, "must be own with --method adaptive: hexes have no neighbours");
-    if (o.control_stiffness > 0)
-      refuse("control_stiffness", o.control_stiffness, "must be 0 with --method adaptive: hexes have no bonds");
-    if (o.layers_mm.size() > 1) refuse("layers_mm", o.layers_mm.size(), "must be one plate with --method adaptive");
-  }
   const double thinnest =
       o.layers_mm.empty() ? o.thickness_mm : *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
   const double coarsest = std::round(1e6 * thinnest / 2) / 1e6;

@@ -43,16 +43,15 @@ struct Restart {
 
 /// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
 struct Options {
-  Method method = Method::sfm;
+  Method method = Method::stabilised;
   std::string material = "weldox_460e";        ///< a name of the library, or a file that ends in .toml
   FlowModel model = FlowModel::mjc;            ///< parse() takes the file's where the material is one
-  DamageLaw damage = DamageLaw::none;          ///< parse() takes default_damage() where none is given
+  DamageLaw damage = DamageLaw::none;          ///< parse() takes the method's where none is given; likewise below
   FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
-  double damage_softening = 0;                 ///< Dc; parse() takes default_softening() where none is given
-  std::optional<double> damage_length_mm = 0;  ///< unset: shear_length_mm of each plate; parse() takes the default
-  double damage_length_exponent = 1;           ///< parse() takes default_length_exponent() where none is given
-  LengthScope damage_length_scope{};           ///< parse() takes default_length_scope() where none is given
-  DamagePressure damage_pressure{};            ///< parse() takes default_damage_pressure() where none is given
+  double damage_softening = 0;                 ///< Dc
+  std::optional<double> damage_length_mm = 0;  ///< unset: shear_length_mm of each plate
+  LengthScope damage_length_scope{};           ///< where --damage-length-mm acts
+  DamagePressure damage_pressure{};            ///< that damage follows
   double thickness_mm = 12;                    ///< of several plates the sum
   std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
   std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
@@ -85,13 +84,14 @@ struct Options {
   double spacing_mm = 0.6;
   double sph_radius_mm = 24;
   Extent extent = Extent::quarter;
-  Lattice lattice = Lattice::ring;
+  Lattice lattice = Lattice::ring; ///< parse() takes the method's where none is given
+  int seed = 0;                    ///< of an arrangement that is disturbed at random; 0: the lattice
   SphForm form = SphForm::renormalised;
   SphKernel kernel = SphKernel::cubic_spline;
   Smoothing smoothing = Smoothing::constant;
   ElementRule element = ElementRule::one_point;
   PressureLaw pressure = PressureLaw::linear;
-  double control_stiffness = 0; ///< parse() takes default_control_stiffness() where none is given
+  double control_stiffness = 0; ///< parse() takes the method's where none is given
   double contact_stiffness = ogive::PerforationOptions<double>{}.contact_stiffness;
   double linear_viscosity = ogive::SphOptions<double>{}.linear_viscosity;
   double quadratic_viscosity = ogive::SphOptions<double>{}.quadratic_viscosity;

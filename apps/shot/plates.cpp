@@ -128,6 +128,18 @@ std::vector<std::string> materials_of(const Options &o) {
   return std::vector(std::max<std::size_t>(1, o.layers_mm.size()), o.material);
 }
 
+bool have_failure_strains(const Options &o) {
+  const auto has_one = [&](const std::string &material) {
+    try {
+      return has(materials::find_metal(material, o.model, ""), materials::Group::strain);
+    } catch (const ogive::SetupError &) {
+      return true;
+    }
+  };
+  const auto materials = materials_of(o);
+  return o.restart || std::all_of(materials.begin(), materials.end(), has_one);
+}
+
 Plates plates_of(const Options &o) {
   Plates plates;
   if (o.restart) {
@@ -147,7 +159,6 @@ Plates plates_of(const Options &o) {
           metal.damage.effect = o.failure;
           metal.damage.softening = o.damage_softening;
           metal.damage.length = o.damage_length_mm ? *o.damage_length_mm * 1e-3 : metal.damage.shear_length;
-          metal.damage.length_exponent = o.damage_length_exponent;
           metal.damage.length_scope = o.damage_length_scope;
         },
         any);
@@ -193,6 +204,8 @@ std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
   for (const AnyMetal &metal : plates) {
     add(materials::doubts_of_flow(metal));
     if (o.damage == DamageLaw::johnson_cook) add(materials::doubts_of_damage(metal));
+    if (o.damage == DamageLaw::none && o.method == Method::stabilised && !has(metal, materials::Group::strain))
+      add({materials::name_of(metal) + ": has no D1 to D5, so that no damage grows and plugs are held too long"});
   }
   return all;
 }

@@ -112,7 +112,7 @@ std::string case_title(const Options &o, const Result &s) {
   return s.material + ", " + name_of(o.model) + ", " + projectile_label(o) + ", " + sizes +
          options::shortest(o.velocity_mps) + " m/s" +
          (o.obliquity_deg == 0 ? "" : " at " + options::shortest(o.obliquity_deg) + " deg") +
-         (o.method == Method::sfm ? "" : ", " + name_of(o.method));
+         ", method " + name_of(o.method);
 }
 
 } // namespace
@@ -128,9 +128,8 @@ void announce(const Options &o, const Result &shot) {
   if (o.quiet) return;
   const Sizes &s = shot.sizes;
   std::printf("%s\n", case_title(o, shot).c_str());
-  const bool adaptive = o.method == Method::adaptive;
-  std::printf("  %s   %.4f mm (target %g), %ld %s, %ld hexes\n", adaptive ? "height of a hex  " : "particle distance",
-              s.spacing_mm, o.spacing_mm, s.particles, adaptive ? "can turn into particles" : "particles", s.hexes);
+  std::printf("  particle distance   %.4f mm (target %g), %ld particles, %ld hexes\n", s.spacing_mm, o.spacing_mm,
+              s.particles, s.hexes);
   std::printf("  projectile          %.2f g%s", s.projectile_mass_g, is_of_the_tests(o) ? " (197 g in the tests)" : "");
   if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
   std::printf(", least scaled Jacobian %.2f", s.projectile_jacobian);
@@ -200,11 +199,6 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   j["debris_mass_g"] = s.fragments.debris_mass * 1e3;
   j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
   j["failed_particles"] = s.fragments.failed;
-  if (o.method == Method::adaptive) {
-    j["failed_hexes"] = s.failed_hexes;
-    j["distorted_hexes"] = s.distorted_hexes;
-    j["buried_particles"] = s.buried_particles;
-  }
   j["projectile_mass_g"] = s.sizes.projectile_mass_g;
   j["added_mass_g"] = s.sizes.added_mass_g;
   j["projectile_scaled_jacobian"] = s.sizes.projectile_jacobian;
@@ -304,10 +298,8 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
                 s.layers[k].fragments.plug_mass * 1e3, s.layers[k].fragments.plug_velocity, o.layers_mm[k],
                 s.layers[k].material.c_str());
   if (o.damage != DamageLaw::none)
-    std::printf("  %-22s %.2f g, %ld of the %s computed\n", "failed", s.fragments.failed_mass * 1e3,
-                static_cast<long>(s.fragments.failed), o.method == Method::adaptive ? "hexes" : "particles");
-  if (s.distorted_hexes > 0)
-    std::printf("  %-22s %ld of them before they failed\n", "too distorted", s.distorted_hexes);
+    std::printf("  %-22s %.2f g, %ld of the particles computed\n", "failed", s.fragments.failed_mass * 1e3,
+                static_cast<long>(s.fragments.failed));
   if (const auto rest = dishing_at_rest_mm(s))
     std::printf("  %-22s %.2f mm at rest, mean over %.0f us\n", "dishing", *rest, s.swing.until_us - s.swing.begun_us);
   std::printf("  %-22s %.4f %%\n", "largest energy error", s.energy_error * 100);

@@ -55,9 +55,6 @@ struct Result {
   ogive::ProjectileMotion<double> motion; ///< likewise
   ogive::Fragments<double> fragments;     ///< of all plates
   std::vector<LayerResult> layers;        ///< one for each plate
-  long failed_hexes = 0;                  ///< of the computed part, turned into particles
-  long distorted_hexes = 0;               ///< likewise, before they failed
-  long buried_particles = 0;              ///< of the computed part, that overlap hexes at the end
   Swing swing;                            ///< for --settle-us
   double intrusion_mm = 0;                ///< particle behind the projectile's surface, deepest of all times of a check
   double hourglass_fraction = 0;          ///< of the initial energy, at the end

@@ -96,7 +96,6 @@ void take_sample(const M &now, const ogive::Energy<double> &e, const ogive::Perf
                     total(e),
                     momentum,
                     impulse,
-                    e.conversion,
                     shot.motion.speed,
                     in_degrees(shot.motion.deflection),
                     in_degrees(shot.motion.turn),
@@ -133,7 +132,7 @@ ogive::AnyDiscretisation discretisation_of(const Options &o) {
 }
 
 ogive::PerforationOptions<double> numerics_of(const Options &options) {
-  auto numerics = ogive::options_of<double>(options.method);
+  auto numerics = ogive::choices_of<double>(options.method).numerics;
   numerics.sph.control.stiffness = options.control_stiffness;
   numerics.sph.damage_pressure = options.damage_pressure;
   numerics.contact_stiffness = options.contact_stiffness;
@@ -263,11 +262,6 @@ Result run_model(const Options &options, const Plates &metals) {
   shot.way = ogive::find_way(model, shot.flight);
   shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(model) * 1e3);
   shot.fragments = ogive::find_fragments(model);
-  for (const auto &conversion : model.conversions) {
-    shot.failed_hexes += static_cast<long>(conversion.failed);
-    shot.distorted_hexes += static_cast<long>(conversion.distorted);
-    shot.buried_particles += ogive::count_buried(model.contacts[conversion.surface]);
-  }
   for (std::size_t k = 0; k < plates.size(); ++k)
     shot.layers.push_back({plates[k].name, ogive::find_fragments_of(model, k),
                            ogive::plate_shape(model, undeformed[k], shape.diameter / 2, ogive::layers_of(c)[k], k)});

@@ -40,36 +40,33 @@ void add_plate(Table &t, Options &o) {
   material.names = materials::library_names();
   add(t, o.model, {.key = "model",
       .meaning = "flow law, of metals that have several (mjc and jc); others have their own", .source = "paper"});
-  add(t, o.method, {.key = "method", .meaning = "how the plate holds together: particles as in the paper, which "
-      "separate by themselves; particles stabilised by bonds, with damage; or hexes that turn into particles "
-      "where damage has used them up", .source = "paper", .brief = "sfm (the paper's), stabilised or adaptive"});
+  add(t, o.method, {.key = "method", .meaning = "how the plate holds together: stabilised by bonds between its "
+      "particles, with damage; or as in the paper, where particles separate by themselves", .source = "ours",
+      .brief = "stabilised, or that of the paper"});
   add(t, o.damage, {.key = "damage",
       .meaning = "how damage grows, by D1 to D5 or by critical_work_MPa of the material",
-      .source = "none, jc with the methods beyond the paper: paper, ours"});
+      .source = "jc, none with --method paper: ours, paper"});
   add(t, o.failure, {.key = "failure",
       .meaning = "effect of full damage (D = 1): none, pressure only, or no force at all",
       .source = "none without --damage, else no_tension: ours"});
   add(t, o.damage_softening, {.key = "damage_softening",
       .meaning = "part of the flow stress that full damage takes away",
-      .source = "0, 0.3 with --method stabilised, 0.6 with --method adaptive: Boervik et al. 2001, ours",
+      .source = "0.3, 0 with --method paper: Boervik et al. 2001",
       .limits = {0, 1, ""}});
   add(t, o.damage_length_mm, {.key = "damage_length_mm", .meaning = "particle distance for which the constants of "
       "damage hold; failure strains grow with finer ones; 0: hold for any",
-      .source = "0, shear_length_mm of the material with --method stabilised, 0.22 with --method adaptive: ours",
+      .source = "shear_length_mm of the material, 0 with --method paper: ours",
       .limits = {0, 100, "mm"}});
-  add(t, o.damage_length_exponent, {.key = "damage_length_exponent",
-      .meaning = "of --damage-length-mm over the particle distance in failure strains; 1 keeps the displacement "
-      "that breaks a band, 0 the strain", .source = "1, 0.25 with --method adaptive: ours", .limits = {0, 2, ""}});
   add(t, o.damage_length_scope, {.key = "damage_length_scope",
       .meaning = "stresses at which failure strains follow --damage-length-mm: any, or in full up to triaxiality "
-      "0, less and less up to 1/3", .source = "everywhere, in_shear with --method stabilised: ours"});
+      "0, less and less up to 1/3", .source = "in_shear, everywhere with --method paper: ours"});
   add(t, o.damage_pressure, {.key = "damage_pressure",
       .meaning = "pressure that damage follows: each particle's own, or the mean of its neighbours",
-      .source = "own, neighbours with --method stabilised: ours"});
+      .source = "neighbours, own with --method paper: ours"});
   add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "of the plate", .source = "paper, Fig. 11",
       .brief = "thickness of the plate", .limits = {0.05, 500, "mm"}});
   add(t, o.layers_mm, {.key = "layers_mm", .meaning = "thicknesses of several plates behind each other, from front "
-      "to rear, instead of --thickness-mm; one alone with --method adaptive", .source = "none: one plate",
+      "to rear, instead of --thickness-mm", .source = "none: one plate",
       .brief = "several plates instead, from front to rear", .limits = {0.05, 500, "mm"}});
   add(t, o.gaps_mm, {.key = "gaps_mm",
       .meaning = "free distances between the plates of --layers-mm, one for all or one less than plates",
@@ -187,14 +184,16 @@ void add_projectile(Table &t, Options &o) {
 void add_discretisation(Table &t, Options &o) {
   t.group = "Discretisation";
   add(t, o.spacing_mm, {.key = "spacing_mm",
-      .meaning = "particle distance, with --method adaptive size of the hexes, at most half the thickness",
+      .meaning = "particle distance, at most half the thickness",
       .source = "paper", .brief = "particle distance; time grows with its fourth power",
       .limits = {0.01, 25, "mm"}});
-  add(t, o.sph_radius_mm, {.key = "sph_radius_mm", .meaning = "radius of the particles' disc, or of the hexes that "
-      "can turn into particles, from the projectile's radius and two spacings to less than the clamp radius",
+  add(t, o.sph_radius_mm, {.key = "sph_radius_mm", .meaning = "radius of the particles' disc, from the projectile's radius and two spacings to less than the clamp radius",
       .source = "paper", .limits = {0.6, 5000, "mm"}});
   add(t, o.extent, {.key = "extent", .meaning = "how much of the round model is computed", .source = "paper"});
-  add(t, o.lattice, {.key = "lattice", .meaning = "arrangement of the particles", .source = "ours"});
+  add(t, o.lattice, {.key = "lattice", .meaning = "arrangement of the particles", .source = "ring, cubic with "
+      "--method paper: ours, paper"});
+  add(t, o.seed, {.key = "seed", .meaning = "disturbs the arrangement at random, by up to 5 % of the particle distance; "
+      "each seed is another arrangement, 0 the lattice itself", .source = "ours", .limits = {0, 1000000, ""}});
   add(t, o.form, {.key = "form", .meaning = "SPH with corrected gradients, or the textbook's", .source = "ours"});
   add(t, o.kernel, {.key = "kernel", .meaning = "of SPH", .source = "ours"});
   add(t, o.smoothing, {.key = "smoothing", .meaning = "smoothing length, constant or following the density",
@@ -203,7 +202,7 @@ void add_discretisation(Table &t, Options &o) {
   add(t, o.pressure, {.key = "pressure", .meaning = "pressure law", .source = "ours"});
   add(t, o.control_stiffness, {.key = "control_stiffness",
       .meaning = "of the bonds against zero-energy modes, over the shear modulus; 0: no bonds",
-      .source = "0, 0.3 with --method stabilised: paper, ours", .limits = {0, 2, ""}});
+      .source = "0.3, 0 with --method paper: ours, paper", .limits = {0, 2, ""}});
   add(t, o.contact_stiffness, {.key = "contact_stiffness",
       .meaning = "penalty stiffness of the contact, over mass/(time step)^2", .source = "ours",
       .limits = {0.001, 0.5, ""}});

@@ -28,8 +28,7 @@ constexpr auto choices(PressureLaw) {
   return options::named<PressureLaw>({{PressureLaw::linear, "linear"}, {PressureLaw::mie_gruneisen, "mie_gruneisen"}});
 }
 constexpr auto choices(Method) {
-  return options::named<Method>(
-      {{Method::sfm, "sfm"}, {Method::stabilised, "stabilised"}, {Method::adaptive, "adaptive"}});
+  return options::named<Method>({{Method::paper, "paper"}, {Method::stabilised, "stabilised"}});
 }
 constexpr auto choices(DamageLaw) {
   return options::named<DamageLaw>(

@@ -20,6 +20,7 @@ inline ogive::PerforationCase<double> to_case(const Options &o) {
   c.sph_radius = o.sph_radius_mm * 1e-3;
   c.spacing = o.spacing_mm * 1e-3;
   c.lattice = o.lattice;
+  c.seed = static_cast<std::uint64_t>(o.seed);
   c.projectile = shape_of(o);
   c.projectile_mass = o.mass_g * 1e-3;
   c.obliquity = o.obliquity_deg * std::numbers::pi / 180;

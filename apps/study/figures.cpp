@@ -20,7 +20,7 @@ using options::Given;
 constexpr double bracket_width_mps = 5;
 
 /// The methods whose curves the figures show, the paper's first.
-const Texts methods{"sfm", "stabilised", "adaptive"};
+const Texts methods{"paper", "stabilised"};
 
 /// An option with some texts to choose from.
 void add_choice(options::Table &t, std::string &value, const options::Entry &entry, const Texts &names) {
@@ -49,7 +49,7 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
   options::add(t, o.quick, {.key = "quick", .meaning = "coarse: particles 1.5 mm apart, in vtk_out/figures_quick",
       .source = "no: ours", .brief = "coarse: particles 1.5 mm apart"});
   add_choice(t, o.method, {.key = "method", .meaning = "adds its curves to the plots, with mjc only",
-      .source = "paper", .brief = "sfm, stabilised or adaptive", .allowed = "one of sfm, stabilised, adaptive"},
+      .source = "paper", .brief = "paper or stabilised", .allowed = "one of paper, stabilised"},
       methods);
   add_choice(t, o.model, {.key = "model", .meaning = "flow stress, mjc, jc or both; pictures have mjc only",
       .source = "ours", .brief = "flow stress: mjc, jc or both", .allowed = "mjc, jc or both"},

@@ -30,7 +30,7 @@ struct Figures {
 struct FigureOptions {
   int figure = 0; ///< this one alone; 0: all
   bool quick = false;
-  std::string method = "sfm"; ///< of the shots that are run; curves of all methods that are known are drawn
+  std::string method = "paper"; ///< of the shots that are run; curves of all methods that are known are drawn
   std::string model = "both"; ///< mjc, jc or both; other methods than the paper's have mjc only
   double spacing_mm = 0.6;
   bool limits = true;   ///< bisection of the ballistic limits

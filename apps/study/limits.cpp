@@ -107,32 +107,31 @@ Published find_published(const shot::Options &o) {
   return p;
 }
 
-std::optional<Series> coarser(const Series &series) {
+std::optional<Series> coarser(const Series &series, const Texts &own_columns) {
   shot::Options o = series.options;
   o.spacing_mm *= 2;
   double thinnest = o.thickness_mm;
   if (!o.layers_mm.empty()) thinnest = *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
   if (o.spacing_mm > thinnest / 5 || o.spacing_mm > o.diameter_mm / 8) return std::nullopt;
-  Series coarse = series_of(case_of(o, {}, ""));
+  Series coarse = series_of(case_of(o, own_columns, ""));
   coarse.published = series.published, coarse.guess_mps = series.guess_mps;
   return coarse;
 }
 
-Series guided_by(Series series, const Series &coarse, const std::vector<Row> &rows, double width_mps) {
-  const auto estimate = ogive::limit_estimate(ogive::bracket(tried_shots(coarse.key, rows, true)));
-  if (!estimate) return series;
-  series.expected_mps = estimate->limit;
-  const double below = estimate->limit - width_mps / 2;
+Series guided_by(Series series, double limit_mps, double width_mps) {
+  series.expected_mps = limit_mps;
+  const double below = limit_mps - width_mps / 2;
   series.guess_mps = std::max(1.0, width_mps < 2 ? below : std::round(below));
   return series;
 }
 
-std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows, double width_mps) {
+std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows, double width_mps,
+                             const Texts &own_columns) {
   if (!series.expected_mps || !tried_shots(series.key, rows, false).empty()) return {};
   const auto above =
       ogive::next_velocity<double>({{series.guess_mps, false}}, series.guess_mps, width_mps, 1.0, series.expected_mps);
-  std::vector<Case> pair{shot_of(series, series.guess_mps, {})};
-  if (above && *above <= shot::largest_velocity_mps) pair.push_back(shot_of(series, *above, {}));
+  std::vector<Case> pair{shot_of(series, series.guess_mps, own_columns)};
+  if (above && *above <= shot::largest_velocity_mps) pair.push_back(shot_of(series, *above, own_columns));
   return pair;
 }
 
@@ -241,7 +240,7 @@ std::string limits_csv(const std::vector<LimitRow> &limits, const Texts &own_col
 std::string described(const LimitRow &row, const Texts &own_columns) {
   using options::printed;
   const Texts &v = row.key.values;
-  std::string line = (v[method_column] == "sfm" ? "" : v[method_column] + ", ") + v[model_column] + ", " +
+  std::string line = v[method_column] + ", " + v[model_column] + ", " +
                      v[material_column] + ", " + v[nose_column] + ", " + v[thickness_column] + " mm";
   for (std::size_t k = key_columns().size(); k < v.size(); ++k) line += ", " + column_name(k, own_columns) + " " + v[k];
   const auto estimate = ogive::limit_estimate(row.bracket);

@@ -57,13 +57,15 @@ Published find_published(const shot::Options &options);
 
 /// The series with twice the particle distance, of which a shot costs a tenth; nothing if so few particles would lie
 /// through a plate or across the projectile that it promised little.
-std::optional<Series> coarser(const Series &series);
+std::optional<Series> coarser(const Series &series, const Texts &own_columns);
 
-/// The series that expects the limit of the coarser one: its first two shots lie on both sides of it.
-Series guided_by(Series series, const Series &coarse, const std::vector<Row> &rows, double width_mps);
+/// The series that expects a limit, of a coarser series or of another arrangement: its first two shots lie on both sides
+/// of it.
+Series guided_by(Series series, double limit_mps, double width_mps);
 
 /// Those two shots; none where no limit is expected or a shot of the series is known.
-std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows, double width_mps);
+std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows, double width_mps,
+                             const Texts &own_columns);
 
 /// The velocity of the next shot of a bisection to a bracket of `width_mps`; nothing once the bracket is that narrow.
 /// The first ones lie beside the limit that is expected: that of a coarser series, or where that is contradicted that

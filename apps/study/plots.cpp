@@ -43,10 +43,8 @@ struct Look {
 /// title and change the colour.
 Look look_of(const Key &key, const Texts &own, std::size_t place) {
   const std::string &method = key.values[method_column], &model = key.values[model_column];
-  std::string title = "ogive, " + std::string(model == "mjc" ? "MJC" : "JC") + (method == "sfm" ? "" : ", " + method);
-  std::string colour = method == "sfm"        ? (model == "mjc" ? "#c0392b" : "#2471a3")
-                       : method == "adaptive" ? "#7d3c98"
-                                              : "#1e8449";
+  std::string title = "ogive, " + std::string(model == "mjc" ? "MJC" : "JC") + ", " + method;
+  std::string colour = method != "paper" ? "#1e8449" : model == "mjc" ? "#c0392b" : "#2471a3";
   constexpr std::array colours{"#c0392b", "#2471a3", "#1e8449", "#7d3c98", "#b9770e", "#34495e", "#16a085", "#922b21"};
   if (!own.empty()) colour = colours[place % colours.size()];
   for (std::size_t k = key_columns().size(); k < key.values.size(); ++k)
@@ -59,7 +57,7 @@ Look look_of(const Key &key, const Texts &own, std::size_t place) {
 
 const Look measured{"test", "points linecolor rgb 'black' pointtype 7 pointsize 0.9"};
 
-/// The name of a series' files: "sfm_mjc", with a number where the study has columns of its own.
+/// The name of a series' files: "paper_mjc", with a number where the study has columns of its own.
 std::string file_part(const Key &key, const Texts &own, std::size_t place) {
   return key.values[method_column] + "_" + key.values[model_column] +
          (own.empty() ? "" : "_" + std::to_string(place + 1));

@@ -151,7 +151,7 @@ int cores() { return std::max(1, omp_get_num_procs()); }
 
 std::string folder_name(const Key &key, const Texts &own_columns) {
   const auto &v = key.values;
-  std::string name = (v[method_column] == "sfm" ? "" : v[method_column] + "_") + v[model_column] + "_" +
+  std::string name = v[method_column] + "_" + v[model_column] + "_" +
                      fs::path(v[material_column]).stem().string() + "_" + v[nose_column] + "_" + v[thickness_column] +
                      "mm_" + v[velocity_column] + "mps_" + v[spacing_column] + "mm";
   for (std::size_t k = key_columns().size(); k < v.size(); ++k) name += "_" + column_name(k, own_columns) + "=" + v[k];

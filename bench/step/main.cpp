@@ -31,9 +31,9 @@ bench::Plan read_options(CLI::App &app, int argc, const char *const *argv) {
       ->check(CLI::Range(0, 1000000));
   const auto *repeats =
       app.add_option("--repeats", plan.repeats, "measurements, the median counts")->check(CLI::Range(1, 1000));
-  app.add_option("--methods", plan.methods, "methods of the plate (default: sfm,stabilised)")
+  app.add_option("--methods", plan.methods, "methods of the plate (default: paper,stabilised)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"sfm", "stabilised"}));
+      ->check(CLI::IsMember({"paper", "stabilised"}));
   app.add_flag("--quick", plan.quick, "small sizes and short measurements, to see that all works");
   app.parse(argc, argv);
   if (plan.quick) {

@@ -153,26 +153,19 @@ struct Plan {
   int steps = 0;      ///< that are timed; 0: whole cycles between two rebuilds of the neighbour lists
   int repeats = 3;    ///< measurements, of which the median counts
   bool quick = false; ///< short measurements of the machine
-  std::vector<std::string> methods{"sfm", "stabilised"};
+  std::vector<std::string> methods{"paper", "stabilised"};
   double seconds = 3; ///< at least, of one measurement: the steps are repeated from the same state
 };
 
 /// A quarter of about so many particles: 12 mm Weldox 460 E, blunt projectile, 303.5 m/s; with the damage that the
 /// method needs.
 inline auto make_shot(double particles, const std::string &name) {
-  const ogive::Method method = name == "sfm" ? ogive::Method::sfm : ogive::Method::stabilised;
+  const ogive::Method method = name == "paper" ? ogive::Method::paper : ogive::Method::stabilised;
   ogive::PerforationCase<double> shot{.thickness = 12e-3, .sph_radius = 24e-3, .initial_velocity = 303.5};
   shot.spacing = std::cbrt(0.25 * std::numbers::pi * shot.sph_radius * shot.sph_radius * shot.thickness / particles);
-  auto metal = ogive::library::weldox_460e_mjc<double>();
-  if (method == ogive::Method::stabilised) {
-    ogive::Damage<double> &damage = metal.damage;
-    damage.law = ogive::DamageLaw::johnson_cook, damage.effect = ogive::FailureEffect::no_tension;
-    damage.softening = ogive::softening_of_damage(method), damage.length = damage.shear_length;
-    damage.length_exponent = ogive::length_exponent_of_damage(method);
-    damage.length_scope = ogive::length_scope_of_damage(method);
-  }
+  const auto metal = ogive::with_damage_of(method, ogive::library::weldox_460e_mjc<double>());
   return ogive::make_perforation(shot, metal, ogive::library::arne_tool_steel<double>(),
-                                 ogive::options_of<double>(method));
+                                 ogive::choices_of<double>(method).numerics);
 }
 
 using Shot = decltype(make_shot(1.0, ""));
@@ -194,7 +187,7 @@ template <class Done> Window advance_until(Shot &model, Done &&done) {
   while (!done(w)) {
     const double neighbours = model.times[Phase::neighbours];
     ogive::Lap lap(model.times);
-    const double dt = ogive::is_time_step_due(model, ogive::RunOptions<double>{}.time_step_every)
+    const double dt = model.steps % ogive::RunOptions<double>{}.time_step_every == 0
                           ? ogive::stable_time_step(model)
                           : model.last_step;
     lap(Phase::checks);

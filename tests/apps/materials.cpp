@@ -72,17 +72,12 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(stabilised.failure == shot::FailureEffect::no_tension);
   CHECK(stabilised.damage_softening == 0.3);
   CHECK_FALSE(stabilised.damage_length_mm);
-  CHECK(stabilised.damage_length_exponent == 1);
   CHECK(stabilised.damage_length_scope == shot::LengthScope::in_shear);
   CHECK(stabilised.damage_pressure == shot::DamagePressure::neighbours);
-  const Options adaptive = options_of({"--method", "adaptive"});
-  CHECK(adaptive.damage_length_mm == 0.22);
-  CHECK(adaptive.damage_length_exponent == 0.25);
-  CHECK(adaptive.damage_length_scope == shot::LengthScope::everywhere);
-  CHECK(adaptive.damage_pressure == shot::DamagePressure::own);
-  std::visit([](const auto &metal) { CHECK(metal.damage.length_exponent == 0.25); }, plate_of(adaptive));
+  CHECK(stabilised == options_of({}));
+  CHECK(stabilised.lattice == shot::Lattice::ring);
   CHECK(stabilised.control_stiffness == 0.3);
-  CHECK(stabilised.out == "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps_stabilised");
+  CHECK(stabilised.out == "vtk_out/weldox_460e_mjc_blunt_12mm_303.5mps");
   std::visit(
       [](const auto &metal) {
         CHECK(metal.damage.softening == 0.3);
@@ -95,15 +90,31 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(undamaged.damage_softening == 0);
   CHECK(undamaged.damage_length_mm == 0);
   CHECK(undamaged.damage_pressure == shot::DamagePressure::own);
-  CHECK(options_of({"--damage", "jc"}).damage_softening == 0);
-  CHECK(options_of({"--damage", "jc"}).damage_length_scope == shot::LengthScope::everywhere);
-  CHECK(refusal({"--method", "adaptive", "--damage-pressure", "neighbours"}) ==
-        "--damage-pressure = neighbours: must be own with --method adaptive: hexes have no neighbours");
-  CHECK(refusal({"--damage-pressure", "neighbours"}) ==
+  const Options paper = options_of({"--method", "paper"});
+  CHECK(paper.damage == shot::DamageLaw::none);
+  CHECK(paper.lattice == shot::Lattice::cubic);
+  CHECK(paper.control_stiffness == 0);
+  CHECK(options_of({"--method", "paper", "--damage", "jc"}).damage_softening == 0);
+  CHECK(options_of({"--method", "paper", "--damage", "jc"}).damage_length_scope == shot::LengthScope::everywhere);
+  CHECK(refusal({"--method", "paper", "--damage-pressure", "neighbours"}) ==
         "--damage-pressure = neighbours: needs --damage jc or --damage cockcroft_latham");
-  CHECK(refusal({"--damage-length-scope", "in_shear"}) ==
+  CHECK(refusal({"--damage", "none", "--damage-length-scope", "in_shear"}) ==
         "--damage-length-scope = in_shear: needs --damage jc or --damage cockcroft_latham");
-  CHECK(options_of({"--damage", "jc", "--damage-softening", "0.1"}).damage_softening == 0.1);
+  CHECK(options_of({"--damage-softening", "0.1"}).damage_softening == 0.1);
+}
+
+TEST_CASE("a metal without failure strains has no damage unless it is asked for, and that is said") {
+  const Options o = options_of({"--material", "aa6061_t651"});
+  CHECK(o.damage == shot::DamageLaw::none);
+  CHECK(o.failure == shot::FailureEffect::none);
+  CHECK(o.control_stiffness == 0.3);
+  const auto doubts = doubts_of(o, plates_of(o));
+  CHECK(std::count(doubts.begin(), doubts.end(),
+                   "aa6061_t651: has no D1 to D5, so that no damage grows and plugs are held too long") == 1);
+  CHECK(options_of({"--layers-mm", "6,6", "--layer-materials", "weldox_460e,weldox_460e"}).damage ==
+        shot::DamageLaw::johnson_cook);
+  CHECK(refusal({"--material", "aa6061_t651", "--damage", "jc"}) ==
+        "--damage = jc: needs D1, D2, D3, D4, D5 in aa6061_t651");
 }
 
 TEST_CASE(
@@ -134,8 +145,7 @@ TEST_CASE(
 }
 
 TEST_CASE("damage is off, and where it is on failure takes the tension") {
-  CHECK(options_of({}).damage == shot::DamageLaw::none);
-  CHECK(options_of({}).failure == shot::FailureEffect::none);
+  CHECK(options_of({"--method", "paper"}).failure == shot::FailureEffect::none);
   CHECK(options_of({"--damage", "jc"}).failure == shot::FailureEffect::no_tension);
   CHECK(options_of({"--damage", "jc", "--failure", "none"}).failure == shot::FailureEffect::none);
   const Options o = options_of({"--damage", "cockcroft_latham", "--failure", "removal", "--pressure", "mie_gruneisen"});

@@ -32,7 +32,7 @@ class Results(unittest.TestCase):
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         run("shoot", *SMALL, "--thickness-mm", 4, "--velocity-mps", 200, "--no-picture", "--quiet", "--out", folder / "shot")
-        for name, *options in (("layers", "--layers-mm", "4,4"), ("adaptive", "--thickness-mm", 4, "--method", "adaptive")):
+        for name, *options in (("layers", "--layers-mm", "4,4"), ("paper", "--thickness-mm", 4, "--method", "paper")):
             run("shoot", *SMALL, *options, "--velocity-mps", 200, "--no-picture", "--quiet", "--out", folder / name)
         run("sweep", *SMALL, "--thickness-mm", 4, "--vary", "velocity_mps=150,200", "--out", folder / "study")
         guide = (project / "docs/doxygen/guide.md").read_text(encoding="utf-8")
@@ -42,7 +42,7 @@ class Results(unittest.TestCase):
         spec.loader.exec_module(cls.read)
 
     def test_summary(self):
-        for name in ("shot", "layers", "adaptive"):
+        for name in ("shot", "layers", "paper"):
             summary = json.loads((folder / name / "summary.json").read_text())
             keys = set(summary) | {key for layer in summary.get("layers", []) for key in layer}
             self.assertEqual(keys - self.described, set())

@@ -24,7 +24,6 @@ inline auto struck_brick() {
   for (Index n = block.nodes.begin; n < block.nodes.end; ++n) slaves.push_back(n);
   auto contact = make_contact(nodes, slaves, std::vector<double>(slaves.size(), 0.5 * spacing), boundary_facets(mesh),
                               "contact", ogive::ContactOptions<double>{.friction = 0.1});
-  contact.state.opposite.resize(slaves.size());
   auto model = sim_test::model_of(std::move(nodes), std::move(brick), std::move(block));
   model.contacts.push_back(std::move(contact));
   return model;

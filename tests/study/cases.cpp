@@ -99,7 +99,7 @@ TEST_CASE("The columns of a list are options of a shot") {
   CHECK(list.cases[0].options.thickness_mm == 6);
   CHECK(list.cases[0].options.friction == 0.1);
   CHECK(list.cases[0].key.values ==
-        std::vector<std::string>{"sfm", "mjc", "weldox_460e", "blunt", "6", "150", "2", "0.1"});
+        std::vector<std::string>{"stabilised", "mjc", "weldox_460e", "blunt", "6", "150", "2", "0.1"});
   // An empty field leaves the option to the rest.
   CHECK(list.cases[1].options.velocity_mps == 303.5);
 

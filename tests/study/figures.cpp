@@ -29,7 +29,7 @@ TEST_CASE("The list has the shots of a program, figure and law") {
   const auto all = listed_shots(steel, {});
   CHECK(all.size() == 81);
   CHECK(std::all_of(all.begin(), all.end(),
-                    [](const FigureShot &s) { return s.shot.key.values[method_column] == "sfm"; }));
+                    [](const FigureShot &s) { return s.shot.key.values[method_column] == "paper"; }));
   CHECK(listed_shots(noses, {}).size() == 36);
   CHECK(listed_shots(aluminium, {}).size() == 49);
   CHECK(listed_shots(steel, options_for(0, "jc")).size() == 36);
@@ -43,11 +43,11 @@ TEST_CASE("The list has the shots of a program, figure and law") {
   CHECK((eight[0].picture && eight[1].picture));
   CHECK(message_of([] { listed_shots(steel, options_for(8, "jc")); }).ends_with("no shots for steel_blunt"));
 
-  // Methods beyond the paper have the modified law alone.
-  FigureOptions adaptive;
-  adaptive.method = "adaptive";
-  for (const FigureShot &one : listed_shots(noses, adaptive)) {
-    CHECK(one.shot.key.values[method_column] == "adaptive");
+  // The other method has the modified law alone.
+  FigureOptions stabilised;
+  stabilised.method = "stabilised";
+  for (const FigureShot &one : listed_shots(noses, stabilised)) {
+    CHECK(one.shot.key.values[method_column] == "stabilised");
     CHECK(one.shot.key.values[model_column] == "mjc");
   }
 

@@ -55,19 +55,18 @@ TEST_CASE("What is published of a limit comes from the right rows") {
 
 TEST_CASE("A search begins beside the limit that twice the particle distance has") {
   const Series series = series_with({});
-  const auto coarse = coarser(series);
+  const auto coarse = coarser(series, {});
   REQUIRE(coarse);
   CHECK(coarse->options.spacing_mm == 1.2);
   CHECK(coarse->key != series.key);
-  CHECK_FALSE(coarser(series_with({{"spacing_mm", "1.5"}})).has_value()); // four distances through the plate
-  CHECK_FALSE(coarser(series_with({{"layers_mm", "2,10"}})).has_value()); // through each plate
-  CHECK_FALSE(coarser(series_with({{"diameter_mm", "6"}, {"sph_radius_mm", "12"}})).has_value()); // eight across
+  CHECK_FALSE(coarser(series_with({{"spacing_mm", "1.5"}}), {}).has_value()); // four distances through the plate
+  CHECK_FALSE(coarser(series_with({{"layers_mm", "2,10"}}), {}).has_value()); // through each plate
+  CHECK_FALSE(coarser(series_with({{"diameter_mm", "6"}, {"sph_radius_mm", "12"}}), {}).has_value()); // eight across
 
-  const std::vector<Row> none, rows{row_at(*coarse, 170, 172.2), row_at(*coarse, 175, 172.2)};
-  CHECK_FALSE(guided_by(series, *coarse, none, width_mps).expected_mps.has_value());
-  const Series guided = guided_by(series, *coarse, rows, width_mps);
+  const std::vector<Row> rows{row_at(*coarse, 170, 172.2), row_at(*coarse, 175, 172.2)};
+  const Series guided = guided_by(series, 172.5, width_mps);
   CHECK(guided.expected_mps == 172.5);
-  const auto pair = first_pair(guided, rows, width_mps);
+  const auto pair = first_pair(guided, rows, width_mps, {});
   REQUIRE(pair.size() == 2);
   CHECK(pair[0].options.velocity_mps == 170);
   CHECK(pair[1].options.velocity_mps == 175);
@@ -76,7 +75,7 @@ TEST_CASE("A search begins beside the limit that twice the particle distance has
   for (const double limit : {172.2, 165.0}) {
     std::vector<Row> all = rows;
     for (const Case &shot : pair) all.push_back(row_at(series, shot.options.velocity_mps, limit));
-    CHECK(first_pair(guided, all, width_mps).empty());
+    CHECK(first_pair(guided, all, width_mps, {}).empty());
     CHECK(next_velocity(guided, all, width_mps).has_value() == (limit == 165.0));
   }
 }
@@ -204,10 +203,10 @@ TEST_CASE("The table of limits has all its columns, whatever is known") {
   REQUIRE(lines.size() == 4);
   for (const auto &line : lines) CHECK(commas_in(line) == commas_in(lines[0]));
   CHECK(lines[0].starts_with("method,model,material,nose,thickness_mm,spacing_mm,highest_stopped_mps,"));
-  CHECK(lines[1].starts_with("sfm,mjc,weldox_460e,blunt,12,0.6,180,303.5,241.75,1,"));
+  CHECK(lines[1].starts_with("paper,mjc,weldox_460e,blunt,12,0.6,180,303.5,241.75,1,"));
   CHECK(lines[1].ends_with(",184.5,195"));
-  CHECK(lines[2] == "sfm,jc,weldox_460e,blunt,12,0.6,180,,,1,,,,,,,,,,,184.5,195");
-  CHECK(lines[3].starts_with("sfm,mjc,weldox_460e,blunt,13,0.6,,300,,1,"));
+  CHECK(lines[2] == "paper,jc,weldox_460e,blunt,12,0.6,180,,,1,,,,,,,,,,,184.5,195");
+  CHECK(lines[3].starts_with("paper,mjc,weldox_460e,blunt,13,0.6,,300,,1,"));
   CHECK(lines[3].ends_with(",,"));
 
   for (LimitRow &row : limits) row.key.values.emplace_back("6,7");

@@ -51,11 +51,11 @@ TEST_CASE("Rows of shots are read back exactly") {
 }
 
 TEST_CASE("A shot has a folder that is named by its case") {
-  CHECK(folder_name(key_at(303.5), {}) == "mjc_weldox_460e_blunt_12mm_303.5mps_0.6mm");
+  CHECK(folder_name(key_at(303.5), {}) == "paper_mjc_weldox_460e_blunt_12mm_303.5mps_0.6mm");
   Key key = key_at(200);
-  key.values[method_column] = "adaptive", key.values[material_column] = "metals/mine.toml";
+  key.values[method_column] = "stabilised", key.values[material_column] = "metals/mine.toml";
   key.values.emplace_back("a/b,c");
-  CHECK(folder_name(key, {"layer_materials"}) == "adaptive_mjc_mine_blunt_12mm_200mps_0.6mm_layer_materials=a_b,c");
+  CHECK(folder_name(key, {"layer_materials"}) == "stabilised_mjc_mine_blunt_12mm_200mps_0.6mm_layer_materials=a_b,c");
 }
 
 TEST_CASE("A row that a killed process left half written is passed over and overwritten") {

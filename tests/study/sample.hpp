@@ -48,7 +48,7 @@ inline std::string &result(study::Row &row, const std::string &column) {
 }
 
 inline study::Key key_at(double velocity_mps, const std::string &thickness_mm = "12") {
-  return {{"sfm", "mjc", "weldox_460e", "blunt", thickness_mm, ogive::shortest(velocity_mps), "0.6"}};
+  return {{"paper", "mjc", "weldox_460e", "blunt", thickness_mm, ogive::shortest(velocity_mps), "0.6"}};
 }
 
 /// The row of a shot that nobody ran: it perforates above `limit_mps`, and its numbers need all their digits.

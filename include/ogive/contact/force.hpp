@@ -6,10 +6,10 @@
 #include "ogive/contact/search.hpp"
 #include "ogive/contact/touch.hpp"
 #include "ogive/core/parallel.hpp"
+#include "ogive/material/damage.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ogive {
 
@@ -30,36 +30,30 @@ template <class T> void add_force_on_slave(NodeToSurface<T> &contact, Nodes<T> &
   ContactState<T> &state = contact.state;
   const Index s = contact.candidates.active[a], node = contact.slaves[s];
   if (state.room[s] > T(0)) return;
-  ContactForce<T> now, opposite;
-  const auto force_of = [&](const Touch<T> &touch) {
-    const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
-    return contact_force(touch, contact.options, velocity, penalty_mass(contact, s, touch), state.reference_time_step);
-  };
-  const bool grows = offset_now(contact, s) < contact.offset[s];
-  const Touch<T> touch = grows ? find_growing_touch(contact, nodes, a) : find_touch(contact, nodes, a);
-  state.room[s] = room_after(contact, s, touch);
+  ContactForce<T> now;
+  const Touch<T> touch = find_touch(contact, nodes, a);
+  state.room[s] = T(0.99) * touch.room; // the closest point is known to 1e-6 of its distance
   if (touch.lost) {
-    if (contact.options.may_bury)
-      state.present_offset[s] = std::numeric_limits<T>::lowest();
-    else
-      now.lost = state.slave_mass[s] > T(0); // a deactivated slave may be anywhere
+    now.lost = state.slave_mass[s] > T(0); // a deactivated slave may be anywhere
   } else if (touch.facet >= 0) {
-    now = force_of(touch);
-    // In a gap narrower than the sphere, the nearer wall alone would throw the slave to and fro between both.
-    if (!state.opposite.empty() && contact.offset[s] > T(0))
-      if (const Touch<T> other = find_touch<T>(contact, nodes, a, reflected(touch.direction, touch.reflection));
-          other.facet >= 0)
-        opposite = force_of(other);
+    const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
+    now = contact_force(touch, contact.options, velocity, penalty_mass(contact, s, touch), state.reference_time_step);
   }
   add_half_work(contact, nodes, s, state.forces[s], dt_old);
   add_half_work(contact, nodes, s, now, dt_old);
   state.forces[s] = now;
   nodes.force[node] += now.normal + now.friction;
-  if (state.opposite.empty()) return;
-  add_half_work(contact, nodes, s, state.opposite[s], dt_old);
-  add_half_work(contact, nodes, s, opposite, dt_old);
-  state.opposite[s] = opposite;
-  nodes.force[node] += opposite.normal + opposite.friction;
+}
+
+/// Deactivates the slaves whose material has been removed from `body`: without a mass that makes the penalty they feel
+/// no force. Facets stay, also those of removed hexes.
+template <class T, class Body> void release_removed(NodeToSurface<T> &contact, const Body &body) {
+  if (body.metal.damage.effect != FailureEffect::removal) return;
+  parallel_for(static_cast<Index>(contact.slaves.size()), [&](Index s) {
+    const Index n = contact.slaves[s];
+    if (n >= body.nodes.begin && n < body.nodes.end && is_node_removed(body, n - body.nodes.begin))
+      contact.state.slave_mass[s] = T(0);
+  });
 }
 
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt_old` (s; the step to
@@ -82,7 +76,6 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
   for (Index s : contact.candidates.active) {
     if (state.forces[s].lost && state.lost < 0) state.lost = s;
     add_reaction(contact, nodes, state.forces[s], T(1));
-    if (!state.opposite.empty()) add_reaction(contact, nodes, state.opposite[s], T(1));
   }
 }
 

@@ -18,7 +18,7 @@ template <class T> struct ContactOptions {
   T stiffness = T(0.1);       ///< penalty stiffness over m/dt^2
   T sticking = T(0.3);        ///< largest friction force over m |v_t|/dt
   bool rigid_masters = false; ///< the masses of the facets' nodes do not limit the stiffness
-  bool may_bury = false;      ///< a slave deep behind the surface is no fault: it overlaps, as if it had begun there
+  bool reentrant = false;     ///< the surface has inner edges, so that the nearest facet alone does not tell the side
 };
 
 /// What acts on one slave node.
@@ -34,10 +34,8 @@ template <class T> struct ContactForce {
 /// What a contact has come to in the course of a run.
 template <class T> struct ContactState {
   std::vector<T> slave_mass;             ///< kg; 0: deactivated
-  std::vector<T> present_offset;         ///< m, of slaves that began nearer than their offset; empty: that of all
   T reference_time_step{};               ///< s, of the stiffness; 0: that of the first step
   std::vector<ContactForce<T>> forces;   ///< one for each slave
-  std::vector<ContactForce<T>> opposite; ///< from across, on slaves in gaps; empty: gaps are not checked
   std::vector<T> normal_energy;          ///< J, work taken by the penalty springs, one for each slave
   std::vector<T> friction_energy;        ///< J, one for each slave
   Index lost = -1;                       ///< the first slave that got lost behind the surface; -1: none
@@ -63,7 +61,6 @@ template <class T> struct NodeToSurface {
   SymmetryPlanes symmetry{};                 ///< mirror planes of the model
   std::vector<Index> slaves;                 ///< node numbers
   std::vector<T> offset;                     ///< m, one for each slave
-  bool follows = false;                      ///< masses of slaves, and maybe facets, change: see follow.hpp
   std::vector<Facet> facets;                 ///< masters, outward
   std::vector<Index> masters;                ///< the nodes of the facets, each once
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
@@ -72,7 +69,7 @@ template <class T> struct NodeToSurface {
   FacetCandidates<T> candidates;             ///< for the present step
 };
 
-/// Gives the contact these master facets, with the masses that their nodes have now.
+/// Gives the contact these master facets, with the masses of their nodes.
 template <class T> void set_facets(NodeToSurface<T> &c, const Nodes<T> &nodes, std::vector<Facet> facets) {
   c.facets = std::move(facets);
   c.candidates.middle.resize(c.facets.size());

@@ -49,11 +49,4 @@ void add_reaction(const NodeToSurface<T> &contact, Nodes<T> &nodes, const Contac
   for (int k = 0; k < 4; ++k) nodes.force[contact.facets[c.facet].nodes[k]] -= c.weights[k] * reaction;
 }
 
-/// Takes a force on slave `s` and its reaction out of the forces of the nodes.
-template <class T> void take_back(const NodeToSurface<T> &contact, Nodes<T> &nodes, Index s, const ContactForce<T> &c) {
-  if (c.facet < 0) return;
-  nodes.force[contact.slaves[s]] -= c.normal + c.friction;
-  add_reaction(contact, nodes, c, T(-1));
-}
-
 } // namespace ogive

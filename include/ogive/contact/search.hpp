@@ -62,7 +62,6 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
   std::vector<Index> near;
   std::vector<Vec3<T>> near_position;
   for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
-    if (contact.follows && contact.state.slave_mass[s] == T(0)) continue;
     if (const Vec3<T> p = on_model_side(contact, nodes.position, s); is_inside(surface, p)) {
       near.push_back(s);
       near_position.push_back(p);

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 /// \file
 /// Where and how deep a slave touches the surface: the narrow phase of contact.
@@ -87,24 +86,12 @@ template <class T> struct NearestFacet {
   Index facet = -1;      ///< -1: none is near
   FacetPoint<T> point{}; ///< closest to the slave
   bool outside = true;   ///< the slave lies outside the surface
-
-  /// Distance of the slave from the surface, m; negative inside.
-  T gap() const { return (outside ? T(1) : T(-1)) * std::sqrt(point.distance_squared); }
 };
 
-/// True if a facet with the closest point `point` to `p` (m) faces it from the other side, seen from the facet with the
-/// unit vector `out` that touches it.
-template <class T> bool lies_across(const Vec3<T> &out, const FacetPoint<T> &point, const Vec3<T> &p) {
-  const Vec3<T> gap = p - point.position;
-  return point.normal.dot(gap) > T(0) && out.dot(gap) <= T(-0.3) * std::sqrt(point.distance_squared);
-}
-
 /// Closest point of the candidate facets to `p` (m), where slave `a` of the active list is, if nearer than `limit` (m).
-/// With `across`, a unit vector out of a facet that touches `p`, only facets on the other side of `p` count that face
-/// it.
 template <class T>
-NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p, T limit,
-                             const std::optional<Vec3<T>> &across = {}) {
+NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const Vec3<T> &p,
+                             T limit) {
   FacetPoint<T> best;
   NearestSoFar<T> nearest;
   Index facet = -1;
@@ -114,7 +101,6 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
     std::array<Vec3<T>, 4> corner;
     for (int c = 0; c < 4; ++c) corner[c] = nodes.position[contact.facets[f].nodes[c]];
     const FacetPoint<T> point = closest_on_facet(p, corner);
-    if (across && !lies_across<T>(*across, point, p)) continue;
     if (nearest.take(point.distance_squared, std::abs(point.normal.dot(p - point.position)))) {
       best = point;
       facet = f;
@@ -124,21 +110,9 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
   if (facet < 0) return {};
   // On a convex surface, where few slaves are inside, one that seems outside by the nearest facet is outside.
   const bool seems_outside = best.normal.dot(p - best.position) >= T(0);
-  const bool outside = across || (seems_outside && !contact.follows)
-                           ? seems_outside
-                           : is_outside(contact, nodes, a, p, std::sqrt(best.distance_squared));
+  const bool outside = (seems_outside && !contact.options.reentrant) ||
+                       is_outside(contact, nodes, a, p, std::sqrt(best.distance_squared));
   return {facet, best, outside};
-}
-
-/// The offset of slave `s` at present, m.
-template <class T> T offset_now(const NodeToSurface<T> &contact, Index s) {
-  return contact.state.present_offset.empty() ? contact.offset[s] : contact.state.present_offset[s];
-}
-
-/// How deep inside the surface slave `s` may be, m. One that began inside is lost if it gets deeper than there by as
-/// much as the others may.
-template <class T> T deepest_place(const NodeToSurface<T> &contact, Index s) {
-  return contact.search_margin - std::min(offset_now(contact, s), T(0));
 }
 
 /// How slave `a` of the active list touches the surface at `nearest`. At an edge or corner the direction is that from
@@ -147,7 +121,7 @@ template <class T>
 Touch<T> touch_at(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const NearestFacet<T> &nearest) {
   const Index slave = contact.candidates.active[a];
   const Vec3<T> p = on_model_side(contact, nodes.position, slave);
-  const T offset = offset_now(contact, slave), deepest = deepest_place(contact, slave);
+  const T offset = contact.offset[slave], deepest = contact.search_margin;
   const Index facet = nearest.facet;
   const FacetPoint<T> &best = nearest.point;
   if (facet < 0) return {.room = deepest};
@@ -168,28 +142,11 @@ Touch<T> touch_at(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index 
   return {facet, best.weights, reflected<T>(direction / length, reflection), depth, false, reflection};
 }
 
-/// How slave `a` of the active list touches the surface. `across` as in find_nearest().
-template <class T>
-Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a,
-                    const std::optional<Vec3<T>> &across = {}) {
+/// How slave `a` of the active list touches the surface.
+template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
   const Index s = contact.candidates.active[a];
   const Vec3<T> p = on_model_side(contact, nodes.position, s);
-  return touch_at(contact, nodes, a,
-                  find_nearest(contact, nodes, a, p, contact.offset[s] + deepest_place(contact, s), across));
-}
-
-/// find_touch() for a slave whose offset is less than its own: the offset grows, no faster than the slave leaves the
-/// surface, so that one that began inside is not thrown out.
-template <class T> Touch<T> find_growing_touch(NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
-  const Index s = contact.candidates.active[a];
-  const T full = contact.offset[s], reach = full + contact.search_margin;
-  const Vec3<T> p = on_model_side(contact, nodes.position, s);
-  const NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, reach);
-  T &present = contact.state.present_offset[s];
-  present = std::max(present, nearest.facet < 0 ? full : std::min(full, nearest.gap()));
-  const bool is_near = nearest.facet >= 0 && nearest.point.distance_squared <= reach * reach;
-  if (is_near || full + deepest_place(contact, s) <= reach) return touch_at(contact, nodes, a, nearest);
-  return find_touch(contact, nodes, a);
+  return touch_at(contact, nodes, a, find_nearest(contact, nodes, a, p, contact.offset[s] + contact.search_margin));
 }
 
 /// Takes the way that each slave and the surface may have come closer since the last check from its room.
@@ -201,13 +158,6 @@ template <class T> void use_up_room(NodeToSurface<T> &contact, const Nodes<T> &n
     const Vec3<T> u = on_model_side(contact, nodes.position, s) - on_model_side(contact, contact.state.checked_at, s);
     contact.state.room[s] -= (u - surface.low).cwiseAbs().cwiseMax((u - surface.high).cwiseAbs()).norm();
   });
-}
-
-/// The room of slave `s` after a check, m: until it is used up, no touch need be searched for. None for
-/// one that touches, or whose offset grows.
-template <class T> T room_after(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
-  if (offset_now(contact, s) < contact.offset[s]) return T(0);
-  return T(0.99) * touch.room; // the closest point is known to 1e-6 of its distance
 }
 
 } // namespace ogive

@@ -3,7 +3,6 @@
 
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/io/checkpoint_file.hpp"
-#include "ogive/sim/convert.hpp"
 #include "ogive/sim/fingerprint.hpp"
 #include "ogive/sim/state.hpp"
 
@@ -121,10 +120,9 @@ template <class T, class Bodies> void check_restored(const Model<T, Bodies> &mod
     need(are_places(contact.state.searched_at), contact.name + " positions of the search");
     need(are_places(contact.state.checked_at), contact.name + " positions of the last check");
     need(contact.state.lost >= -1 && contact.state.lost < slaves, contact.name + " lost slave");
-    for (const auto *forces : {&contact.state.forces, &contact.state.opposite})
-      need(std::all_of(forces->begin(), forces->end(),
-                       [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
-           contact.name + " facet");
+    need(std::all_of(contact.state.forces.begin(), contact.state.forces.end(),
+                     [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
+         contact.name + " facet");
   }
   for (const auto &contact : model.particle_contacts) {
     need(are_places(contact.searched_at), contact.name + " positions of the search");
@@ -171,7 +169,6 @@ template <class T, class Bodies> void restore(const Checkpoint &checkpoint, Mode
   RunState<T> restored_run;
   for_each_state_field(restored, restored_run, reader);
   if (!reader.rest.empty()) refuse_checkpoint(checkpoint.file, "is damaged: it has bytes left over");
-  renew_surfaces(restored);
   checkpoint_detail::check_restored(restored, checkpoint.file);
   renew_lists(restored);
   model = std::move(restored);

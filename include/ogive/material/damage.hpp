@@ -61,19 +61,18 @@ template <class T> struct Damage {
   T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa
   T shear_length = T(0);                      ///< a `length` for bands of shear in this metal, m; 0: none is known
   T softening = T(0);                         ///< Dc: the flow stress is multiplied by 1 - Dc D (Boervik et al. 2001)
-  T length = T(0);          ///< particle distance for which the constants hold, m, see regularised(); 0: for any
-  T length_exponent = T(1); ///< how failure strains follow other distances: 1 keeps the displacement, 0 the strain
+  T length = T(0); ///< particle distance for which the constants hold, m, see regularised(); 0: for any
   LengthScope length_scope = LengthScope::everywhere; ///< where they do
   T shear_factor = T(1); ///< of failure strains in bands of shear, made by regularised(); 1 for the metal itself
 };
 
 /// The damage of a body of particles `spacing` (m) apart. A band of localised shear is as wide as some particle
 /// distances, however fine they are, so that the same displacement means more strain in finer ones; metal that
-/// stretches around it has the same strain in any. Failure strain and critical work are multiplied by
-/// (length/spacing)^exponent, at any stress or, with LengthScope::in_shear, in shear alone.
+/// stretches around it has the same strain in any. Failure strain and critical work are multiplied by length/spacing,
+/// at any stress or, with LengthScope::in_shear, in shear alone.
 template <class T> Damage<T> regularised(Damage<T> damage, T spacing) {
   if (!(damage.length > T(0))) return damage;
-  const T finer = std::pow(damage.length / spacing, damage.length_exponent);
+  const T finer = damage.length / spacing;
   if (damage.length_scope == LengthScope::in_shear)
     damage.shear_factor = finer;
   else

@@ -5,6 +5,7 @@
 #include "ogive/mesh/projectile.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace ogive {
@@ -29,6 +30,7 @@ template <class T> struct PerforationCase {
   T sph_radius = T(24e-3);         ///< radius of the disc of particles, m
   T spacing = T(0.6e-3);           ///< target particle distance, m
   Lattice lattice = Lattice::ring; ///< cubic ones break up along their rows under tension
+  std::uint64_t seed = 0;          ///< of an arrangement that is disturbed at random, see disturb(); 0: the lattice
   /// Shape of the projectile.
   ProjectileShape<T> projectile = paper_projectile<T>(Nose::blunt);
   T projectile_mass = T(0);      ///< of the whole projectile, kg; 0: by the density of its metal

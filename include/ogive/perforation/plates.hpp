@@ -29,10 +29,13 @@ inline std::string body_name(const char *body, std::size_t layer, std::size_t la
   return name;
 }
 
-/// The particles of a plate.
-template <class T> ParticleLayout<T> plate_layout(const PerforationCase<T> &c, const Layer<T> &layer) {
+/// The particles of a plate, the `number`-th from the front, from 0.
+template <class T>
+ParticleLayout<T> plate_layout(const PerforationCase<T> &c, const Layer<T> &layer, std::size_t number) {
   const DiscShape<T> shape{c.sph_radius, layer.thickness, c.spacing};
   ParticleLayout<T> layout = c.lattice == Lattice::cubic ? cubic_disc(shape, c.extent) : ring_disc(shape, c.extent);
+  // Plates of equal thickness are disturbed differently.
+  if (c.seed != 0) disturb(layout, shape, c.extent, c.seed + (std::uint64_t(number) << 32));
   for (Vec3<T> &p : layout.positions) p[2] -= layer.front;
   return layout;
 }
@@ -63,9 +66,9 @@ RimFacets facets_of_rim(const HexMesh<T> &rim, const RimShape<T> &shape, Symmetr
 
 /// All plates of a target.
 template <class Particles, class Hexes> struct Plates {
-  std::vector<Particles> particles; ///< of the struck part, or what hexes turn into
-  std::vector<Hexes> hexes;         ///< around them, or the whole plate
-  std::vector<RimFacets> facets;    ///< of hexes around particles; none of a plate of hexes
+  std::vector<Particles> particles; ///< of the struck part
+  std::vector<Hexes> hexes;         ///< around them
+  std::vector<RimFacets> facets;    ///< of the hexes
 };
 
 /// Adds plates with a disc of particles and a rim of hexes each; not tied and not held yet.
@@ -77,7 +80,7 @@ add_plates_of_particles(Nodes<T> &nodes, const PerforationCase<T> &c, const std:
   const SymmetryPlanes planes = symmetry_planes(c.extent);
   Plates<SphBody<T, Law, Kernel, Form>, HexBody<T, Law, Rule>> plates;
   for (std::size_t k = 0; k < layers.size(); ++k)
-    plates.particles.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k]), metals[k],
+    plates.particles.push_back(add_sph_body<Kernel, Form>(nodes, plate_layout(c, layers[k], k), metals[k],
                                                           body_name("disc", k, layers.size()), planes, options.sph,
                                                           parts.kernel, parts.form));
   for (std::size_t k = 0; k < layers.size(); ++k) {

@@ -34,13 +34,13 @@ struct DisjointSets {
   }
 };
 
-/// What the plate's particles or hexes have broken into.
+/// What the plate's particles have broken into.
 template <class T> struct Fragments {
   T plug_mass{};     ///< kg, largest piece that is not connected to the rim; whole model
   T plug_velocity{}; ///< m/s in the direction of flight
   T debris_mass{};   ///< kg, all smaller pieces
   Index pieces = 0;  ///< number of loose pieces, of the computed part
-  T failed_mass{};   ///< kg, failed particles or hexes, removed ones included; they belong to no piece; whole model
+  T failed_mass{};   ///< kg, failed particles, removed ones included; they belong to no piece; whole model
   Index failed = 0;  ///< number of them, of the computed part
 };
 
@@ -61,81 +61,34 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
   return pieces.roots();
 }
 
-/// Number of the piece that each hex belongs to: the smallest hex index of the piece. Hexes that are there are
-/// connected where they share a node; one that is not is a piece of its own.
-template <class Body> std::vector<Index> pieces_of_hexes(const Body &body) {
-  const Index n = static_cast<Index>(body.hexes.size());
-  DisjointSets pieces(n);
-  std::vector<Index> hex_at(body.nodes.size(), -1);
-  for (Index e = 0; e < n; ++e) {
-    if (is_removed(body, e)) continue;
-    for (const Index node : body.hexes[e]) {
-      Index &other = hex_at[node - body.nodes.begin];
-      if (other < 0) other = e;
-      pieces.join(e, other);
-    }
-  }
-  return pieces.roots();
-}
-
-/// Cell i of the struck part of the plate: particle i, or the hex that has not turned into it yet.
-template <class T> struct PlateCell {
-  Vec3<T> position = Vec3<T>::Zero(); ///< m
-  Vec3<T> velocity = Vec3<T>::Zero(); ///< m/s
-  T temperature{};                    ///< K
-};
-
-/// The cell of a plate now.
-template <class M> auto plate_cell(const M &model, Index i, std::size_t layer = 0) {
-  const auto &body = plate_particles(model, layer);
-  const auto &nodes = model.nodes;
-  using T = std::decay_t<decltype(body.spacing)>;
-  if (!is_unborn(body, i))
-    return PlateCell<T>{nodes.position[body.nodes.begin + i], nodes.velocity[body.nodes.begin + i],
-                        body.points.temperature[i]};
-  const auto &hexes = plate_hexes(model, layer);
-  const Index points = hexes.points.size() / static_cast<Index>(hexes.hexes.size());
-  PlateCell<T> cell;
-  for (const Index n : hexes.hexes[i])
-    cell.position += T(0.125) * nodes.position[n], cell.velocity += T(0.125) * nodes.velocity[n];
-  for (Index p = i * points; p < (i + 1) * points; ++p) cell.temperature += hexes.points.temperature[p] / T(points);
-  return cell;
-}
-
-/// What each cell of the plate belongs to: each particle, or the hex that it has not yet come from.
+/// What each particle of a plate belongs to.
 struct Pieces {
-  std::vector<Index> of;    ///< the piece of each cell, of connected_pieces() or pieces_of_hexes()
+  std::vector<Index> of;    ///< the piece of each particle, of connected_pieces()
   std::vector<bool> at_rim; ///< by piece: it hangs on the rim
-  std::vector<bool> failed; ///< by cell: it belongs to no piece
+  std::vector<bool> failed; ///< by particle: it belongs to no piece
   Index plug = -1;          ///< the heaviest loose piece; -1 if there is none
 
-  /// True if cell i is sound and belongs to plug or debris.
+  /// True if particle i is sound and belongs to plug or debris.
   bool is_loose(Index i) const { return !failed[i] && !at_rim[of[i]]; }
-  /// True if cell i is sound and hangs on the plate.
+  /// True if particle i is sound and hangs on the plate.
   bool hangs(Index i) const { return !failed[i] && at_rim[of[i]]; }
 };
 
 /// Pieces of sound particles of a plate that chains of neighbours nearer than `ratio` particle distances connect, and
-/// which of them the tie holds on the rim; or pieces of hexes, and which of them reach beyond those that can turn into
-/// particles.
+/// which of them the tie holds on the rim.
 template <class M> Pieces find_pieces(const M &model, double ratio = 1.5, std::size_t layer = 0) {
   const auto &body = plate_particles(model, layer);
   using T = std::decay_t<decltype(body.spacing)>;
   Pieces p;
-  const bool of_hexes = !model.conversions.empty();
   const Index n = body.points.size();
-  p.of = of_hexes ? pieces_of_hexes(plate_hexes(model, layer))
-                  : connected_pieces(body, model.nodes, T(ratio) * body.spacing);
-  p.at_rim.assign(p.of.size(), false), p.failed.assign(n, false);
-  for (std::size_t e = n; e < p.of.size(); ++e) p.at_rim[p.of[e]] = true;
-  p.of.resize(n);
+  p.of = connected_pieces(body, model.nodes, T(ratio) * body.spacing);
+  p.at_rim.assign(n, false), p.failed.assign(n, false);
   for (const auto &tie : model.ties)
     for (const auto &t : tie.nodes)
       if (t.slave >= body.nodes.begin && t.slave < body.nodes.end) p.at_rim[p.of[t.slave - body.nodes.begin]] = true;
   std::vector<T> mass(n, T(0));
   for (Index i = 0; i < n; ++i) {
-    p.failed[i] =
-        of_hexes ? is_removed(plate_hexes(model, layer), i) : is_failed(body.metal.damage, body.points.damage[i]);
+    p.failed[i] = is_failed(body.metal.damage, body.points.damage[i]);
     mass[p.of[i]] += body.point_mass[i];
   }
   for (Index i = 0; i < n; ++i)
@@ -161,7 +114,7 @@ template <class M> auto find_fragments_of(const M &model, std::size_t layer, dou
       continue;
     }
     plug += mass;
-    momentum -= mass * plate_cell(model, i, layer).velocity[2];
+    momentum -= mass * model.nodes.velocity[body.nodes.begin + i][2];
   }
   const T copies = T(model.symmetry.copies());
   f.failed_mass *= copies;

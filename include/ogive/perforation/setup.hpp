@@ -9,7 +9,6 @@
 #include "ogive/mesh/projectile.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/method.hpp"
-#include "ogive/perforation/plate_of_hexes.hpp"
 #include "ogive/perforation/plates.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/run.hpp"
@@ -163,9 +162,8 @@ HexBody<T, Law, Rule> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &
 }
 
 /// Builds the model of a case with a metal for each plate, from front to rear: each clamped at its outer radius, a disc
-/// of particles tied to a rim of hexes, or of hexes that turn into particles; and a projectile that touches the first
-/// plate and flies towards -z. Plates touch each other without friction. Throws SetupError for sizes that do not fit
-/// together and for several plates of hexes.
+/// of particles tied to a rim of hexes; and a projectile that touches the first plate and flies towards -z. Plates touch
+/// each other without friction. Throws SetupError for sizes that do not fit together.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
           class ShotLaw>
 PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
@@ -173,15 +171,12 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
                  const Metal<T, ShotLaw> &projectile_metal, PerforationOptions<T> options = {},
                  const Discretisation<Kernel, Form, Rule> &parts = {}) {
   check(c);
-  const bool of_hexes = options.plate == PlateKind::hexes;
   const std::size_t layers = 1 + c.behind.size();
   require(metals.size() == layers, "number of the plates' metals", metals.size(),
           "must be " + std::to_string(layers) + ", one for each plate");
-  require(!of_hexes || layers == 1, "number of plates of hexes", layers, "must be 1");
   const SymmetryPlanes planes = symmetry_planes(c.extent);
   Nodes<T> nodes;
-  auto plates = of_hexes ? add_plate_of_hexes(nodes, c, metals.front(), options, parts)
-                         : add_plates_of_particles(nodes, c, metals, options, parts);
+  auto plates = add_plates_of_particles(nodes, c, metals, options, parts);
   auto &[particles, hexes, facets] = plates;
   const T spacing = particles.front().spacing, tolerance = T(1e-3) * spacing;
   for (const auto &body : hexes) {
@@ -227,7 +222,6 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   model.particle_contacts = std::move(particle_contacts);
   model.ties = std::move(ties);
   if (c.rigid_projectile) model.rigid_parts.push_back(make_rigid_part(model.nodes, projectile(model).nodes));
-  if (of_hexes) add_conversion(model, options);
   return model;
 }
 

@@ -37,14 +37,14 @@ T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, s
   for (Index i = 0; i < body.points.size(); ++i) {
     const Vec3<T> &x0 = undeformed[i];
     if (!(std::abs(std::hypot(x0[0], x0[1]) - T(1.5) * radius) < T(0.1) * radius)) continue;
-    sum += body.point_mass[i] * (x0[2] - plate_cell(model, i, layer).position[2]);
+    sum += body.point_mass[i] * (x0[2] - model.nodes.position[body.nodes.begin + i][2]);
     weight += body.point_mass[i];
   }
   return weight > T(0) ? sum / weight : T(0);
 }
 
-/// A plate's shape now, from its particles or hexes and their undeformed positions (m), for a projectile of this radius
-/// (m) and a plate at `plate`.
+/// A plate's shape now, from its particles and their undeformed positions (m), for a projectile of this radius (m) and
+/// a plate at `plate`.
 template <class M, class T>
 PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, const Layer<T> &plate,
                           std::size_t layer = 0) {
@@ -59,9 +59,8 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   Mean front, rear, kept, band, core;
   PlateShape<T> shape;
   for (Index i = 0; i < body.points.size(); ++i) {
-    const auto [x, velocity, temperature] = plate_cell(model, i, layer);
-    const Vec3<T> &x0 = undeformed[i];
-    const T r = std::hypot(x0[0], x0[1]), mass = body.point_mass[i];
+    const Vec3<T> &x0 = undeformed[i], &x = model.nodes.position[body.nodes.begin + i];
+    const T r = std::hypot(x0[0], x0[1]), mass = body.point_mass[i], temperature = body.points.temperature[i];
     const bool in_plug = pieces.of[i] == pieces.plug, hangs = pieces.hangs(i);
     if (in_plug && r < radius / T(2)) {
       if (x0[2] > -plate.front - spacing) front.add(x[2], mass);

@@ -51,25 +51,22 @@ template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direc
   const Axis<T> axis = axis_of_motion(model, direction, least_speed);
   Way<T> way;
   T mass{}, momentum{};
-  const auto take = [&](const Vec3<T> &position, const Vec3<T> &velocity, T cell_mass, T spacing) {
+  const auto take = [&](const Vec3<T> &position, const Vec3<T> &velocity, T own_mass, T spacing) {
     const Vec3<T> gap = position - axis.middle;
     const T along = gap.dot(axis.direction), aside = (gap - along * axis.direction).norm();
     if (along > axis.front && aside < T(0.75) * radius) way.clear = false;
     if (along > axis.front || along < axis.rear || aside > radius + T(3) * spacing) return;
-    mass += cell_mass;
-    momentum += cell_mass * velocity.dot(direction);
+    mass += own_mass;
+    momentum += own_mass * velocity.dot(direction);
   };
   for (std::size_t layer = 0; layer < model.bodies.plate_particles.size(); ++layer) {
     const auto &body = plate_particles(model, layer);
     const Pieces pieces = find_pieces(model, 1.5, layer);
-    const Index cells = static_cast<Index>(pieces.of.size());
-    for (Index i = 0; i < cells; ++i) {
-      if (!pieces.hangs(i)) continue;
-      const auto cell = plate_cell(model, i, layer);
-      take(cell.position, cell.velocity, body.point_mass[i], body.spacing);
-    }
+    for (Index i = 0; i < static_cast<Index>(pieces.of.size()); ++i)
+      if (const Index n = body.nodes.begin + i; pieces.hangs(i))
+        take(model.nodes.position[n], model.nodes.velocity[n], body.point_mass[i], body.spacing);
     const auto &rim = plate_hexes(model, layer);
-    for (Index e = model.conversions.empty() ? 0 : cells; e < static_cast<Index>(rim.hexes.size()); ++e) {
+    for (Index e = 0; e < static_cast<Index>(rim.hexes.size()); ++e) {
       if (is_removed(rim, e)) continue;
       Vec3<T> position = Vec3<T>::Zero(), velocity = Vec3<T>::Zero();
       T hex_mass{};

@@ -169,24 +169,6 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   });
 }
 
-/// The same with lists of the particles `members` only; the others have no place.
-template <class T>
-void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, std::span<const Index> members,
-                      SymmetryPlanes planes, T support, T skin) {
-  if (members.empty()) {
-    n = Neighbours<T>{};
-    n.support = support, n.reach = support + skin;
-    n.cluster_begin = {0};
-  } else {
-    std::vector<Vec3<T>> there;
-    there.reserve(members.size());
-    for (const Index i : members) there.push_back(positions[i]);
-    build_neighbours(n, std::span<const Vec3<T>>(there), planes, support, skin);
-    for (Index &i : n.order) i = members[i];
-  }
-  n.built_at.assign(positions.begin(), positions.end());
-}
-
 /// True if the lists may miss a neighbour: some two particles may have moved by more than the skin relative to each
 /// other; or if coordinates may have left the range of the quanta.
 template <class T>

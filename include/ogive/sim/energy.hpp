@@ -19,12 +19,11 @@ template <class T> struct Energy {
   T viscous{};    ///< artificial and bulk viscosity
   T contact{};    ///< in penalty springs
   T friction{};   ///< heat of Coulomb friction
-  T conversion{}; ///< kinetic, of corners of hexes against each other, lost where hexes turned into particles
 };
 
 /// Sum of all parts, J: constant in time.
 template <class T> T total(const Energy<T> &e) {
-  return e.kinetic + e.elastic + e.plastic + e.hourglass + e.viscous + e.contact + e.friction + e.conversion;
+  return e.kinetic + e.elastic + e.plastic + e.hourglass + e.viscous + e.contact + e.friction;
 }
 
 /// Kinetic energy of nodes at the time of the latest forces, J: m/2 v_before . v_after (exact for central differences).
@@ -62,10 +61,8 @@ template <class T, class Bodies> Energy<T> energy(const Model<T, Bodies> &model)
     e.friction += friction_energy(contact);
   }
   for (const auto &contact : model.particle_contacts) e.contact += normal_energy(contact);
-  for (const auto &conversion : model.conversions) e.conversion += conversion.energy;
   const T copies = T(model.symmetry.copies());
-  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction, &e.conversion})
-    *part *= copies;
+  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction}) *part *= copies;
   return e;
 }
 

@@ -102,14 +102,11 @@ void add_body(Fingerprint &print, const SphBody<T, Law, Kernel, Form> &body) {
 /// Adds slaves, masters and options of a contact.
 template <class T> void add_contact(Fingerprint &print, const NodeToSurface<T> &contact) {
   print.add(contact.name), print.add(contact.symmetry), print.add(contact.slaves), print.add(contact.offset);
-  print.add(contact.search_margin), print.add(contact.follows);
-  if (!contact.follows) {
-    print.add(contact.master_mass), print.add(contact.facets.size());
-    for (const Facet &facet : contact.facets) print.add(facet.nodes);
-  }
+  print.add(contact.search_margin), print.add(contact.master_mass), print.add(contact.facets.size());
+  for (const Facet &facet : contact.facets) print.add(facet.nodes);
   const ContactOptions<T> &o = contact.options;
   print.add(o.friction), print.add(o.stiffness), print.add(o.sticking), print.add(o.rigid_masters),
-      print.add(o.may_bury);
+      print.add(o.reentrant);
 }
 
 /// Adds bodies and stiffness of a contact of particles.
@@ -133,11 +130,6 @@ template <class T, class Bodies> std::uint64_t fingerprint(const Model<T, Bodies
       for (const T weight : t.weights) print.add(T(1) + weight);
     }
   for (const RigidPart<T> &part : model.rigid_parts) print.add(part.nodes);
-  for (const Conversion<T> &c : model.conversions) {
-    print.add(c.plate), print.add(c.surface), print.add(c.options.every);
-    for (const T number : {c.options.largest_compression, c.options.smallest_step, c.options.least_checked_strain})
-      print.add(number);
-  }
   const RunState<T> run;
   for_each_state_field(model, run, [&](const std::string &name, const auto &) { print.add(name); });
   return print.hash;

@@ -6,7 +6,6 @@
 #include "ogive/contact/tie.hpp"
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
-#include "ogive/sim/conversion.hpp"
 #include "ogive/sim/phases.hpp"
 #include "ogive/sim/rigid_part.hpp"
 
@@ -21,8 +20,7 @@
 
 namespace ogive {
 
-/// The bodies of a perforation. A plate has particles where the projectile destroys it and hexes around them, or is all
-/// hexes, of which hex i turns into particle i.
+/// The bodies of a perforation. A plate has particles where the projectile destroys it and hexes around them.
 template <class Particles, class Hexes, class Projectile> struct PerforationBodies {
   std::vector<Particles> plate_particles; ///< of each plate, from front to rear
   std::vector<Hexes> plate_hexes;         ///< of each plate, from front to rear
@@ -59,7 +57,6 @@ template <class T, class Bodies> struct Model {
   std::vector<Tie<T>> ties{};                          ///< between bodies
   std::vector<RigidPart<T>> rigid_parts{};             ///< bodies that do not deform
   std::vector<ParticleContact<T>> particle_contacts{}; ///< between bodies of particles
-  std::vector<Conversion<T>> conversions{};            ///< bodies of hexes that turn into particles
 
   T time = T(0);                             ///< s, of the positions
   std::int64_t steps = 0;                    ///< made so far

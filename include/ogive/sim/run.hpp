@@ -20,7 +20,7 @@ namespace ogive {
 template <class T> struct RunOptions {
   T end_time{};                       ///< s
   T observe_every = T(0.5e-6);        ///< s between calls of the observer
-  int time_step_every = 10;           ///< steps between two checks of the stable time step, see is_time_step_due()
+  int time_step_every = 10;           ///< steps between two checks of the stable time step, the stable one is that of all bodies
   int check_every = 20;               ///< steps between two checks of positions, velocities, hexes and contacts
   T smallest_step_fraction = T(0.02); ///< of the first time step; below it the run stops
   T largest_energy_error = T(0.05);   ///< of the initial energy; beyond it the run stops
@@ -74,15 +74,6 @@ template <class T, class Bodies> T stable_time_step(const Model<T, Bodies> &mode
   for (const auto &contact : model.contacts)
     if (contact.state.reference_time_step > T(0)) dt = std::min(dt, T(1.5) * contact.state.reference_time_step);
   return dt;
-}
-
-/// Whether the stable time step must be checked before the next step: every `every` steps, and whenever hexes that may
-/// turn into particles are checked. Those may get thin faster than others, and take their shares in the masses of nodes
-/// with them.
-template <class T, class Bodies> bool is_time_step_due(const Model<T, Bodies> &model, int every) {
-  if (model.steps % every == 0) return true;
-  return std::any_of(model.conversions.begin(), model.conversions.end(),
-                     [&](const Conversion<T> &conversion) { return model.steps % conversion.options.every == 0; });
 }
 
 /// The state of a run that begins with this model.
@@ -161,7 +152,7 @@ RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T>
     if (pause(std::as_const(model), std::as_const(state))) return {StopReason::pause, std::nullopt};
     lap(Phase::observer);
     if (!(model.time < options.end_time * (T(1) - std::numeric_limits<T>::epsilon()))) break;
-    if (is_time_step_due(model, options.time_step_every)) {
+    if (model.steps % options.time_step_every == 0) {
       state.time_step = stable_time_step(model);
       if (auto fault = find_small_step(model, options, state)) return stop_at(*fault);
     }

@@ -32,7 +32,6 @@ template <BodyOfHexes Body, class F> void for_each_own_field(Body &body, F &&f) 
 /// Calls `f(name, value)` for all of the state of a body of particles that is not a material point's.
 template <BodyOfParticles Body, class F> void for_each_own_field(Body &body, F &&f) {
   f("viscous_energy", body.viscous_energy);
-  f("unborn", body.unborn);
   f("moments of bonds", body.bonds.moment);
   f("energy of bonds", body.bonds.energy);
   f("support of the lists", body.neighbours.support);
@@ -68,11 +67,9 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     field("slave_mass", contact.state.slave_mass);
     field("reference_time_step", contact.state.reference_time_step);
     field("forces", contact.state.forces);
-    field("opposite forces", contact.state.opposite);
     field("normal_energy", contact.state.normal_energy);
     field("friction_energy", contact.state.friction_energy);
     field("lost", contact.state.lost);
-    field("present_offset", contact.state.present_offset);
     FullOrEmpty searched_at{contact.state.searched_at, nodes};
     field("positions of the search", searched_at);
     FullOrEmpty checked_at{contact.state.checked_at, nodes};
@@ -96,9 +93,6 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     f("velocity of a rigid part", part.velocity);
     f("angular momentum of a rigid part", part.angular_momentum);
   }
-  for (auto &conversion : model.conversions)
-    for_each_conversion_field(conversion,
-                              [&](const char *name, auto &value) { f("conversion " + std::string(name), value); });
 }
 
 /// Makes the neighbour lists of a body anew, from the positions that they were made from.

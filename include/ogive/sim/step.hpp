@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/contact/follow.hpp"
 #include "ogive/contact/force.hpp"
 #include "ogive/contact/particle_force.hpp"
 #include "ogive/contact/tie.hpp"
 #include "ogive/core/parallel.hpp"
 #include "ogive/fem/hex_force.hpp"
 #include "ogive/material/stress_update.hpp"
-#include "ogive/sim/convert.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/rigid_part.hpp"
 #include "ogive/sph/force.hpp"
@@ -104,8 +102,6 @@ template <class M, class T> void step(M &model, T dt) {
   model.last_mid_step = dt_mid;
   ++model.steps;
   lap(Phase::motion);
-  for (auto &conversion : model.conversions) convert(conversion, model);
-  lap(Phase::hexes);
 }
 
 } // namespace ogive

@@ -114,7 +114,6 @@ struct SphBody {
   NodeRange nodes{};                ///< one for each particle
   MaterialPoints<T> points;         ///< state of the metal
   std::vector<T> point_mass;        ///< kg, constant
-  std::vector<std::uint8_t> unborn; ///< 1: a place kept for a particle to come, see Conversion; empty: all are there
   std::vector<T> viscous_energy;    ///< J, work of artificial viscosity: each particle's half of its pairs
   Neighbours<T> neighbours;         ///< lists, made anew when particles have moved
   PairData pair_data;               ///< what neighbours see, made anew in each step
@@ -182,14 +181,9 @@ template <class Body> auto reference_smoothing_length(const Body &body) {
   return body.options.smoothing_ratio * body.spacing;
 }
 
-/// True if particle i is not there yet.
-template <class T, class Law, class K, class F> bool is_unborn(const SphBody<T, Law, K, F> &body, Index i) {
-  return !body.unborn.empty() && body.unborn[i] != 0;
-}
-
-/// True if particle i is not there: it has failed and has been removed, or is yet to come. It has no neighbours.
+/// True if particle i has failed and has been removed. It has no neighbours.
 template <class T, class Law, class K, class F> bool is_removed(const SphBody<T, Law, K, F> &body, Index i) {
-  return is_unborn(body, i) || is_removed(body.metal.damage, body.points.damage[i]);
+  return is_removed(body.metal.damage, body.points.damage[i]);
 }
 
 /// True if the `n`-th node of the body belongs to nothing but removed material.

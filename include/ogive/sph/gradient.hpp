@@ -55,14 +55,7 @@ template <class T, class Law, class K, class F> bool sees_neighbours(const SphBo
 template <class T, class Law, class K, class F>
 void build_lists(SphBody<T, Law, K, F> &body, std::span<const Vec3<T>> x, T support) {
   const T skin = body.options.skin_ratio * body.spacing;
-  if (body.unborn.empty()) {
-    build_neighbours(body.neighbours, x, body.symmetry, support, skin);
-  } else {
-    std::vector<Index> born;
-    for (Index i = 0; i < body.points.size(); ++i)
-      if (!is_unborn(body, i)) born.push_back(i);
-    build_neighbours(body.neighbours, x, std::span<const Index>(born), body.symmetry, support, skin);
-  }
+  build_neighbours(body.neighbours, x, body.symmetry, support, skin);
   PairData &d = body.pair_data;
   const std::size_t seen = places(body.neighbours), own = body.neighbours.order.size();
   resize_tightly(d.motion, seen / cluster_size);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -98,6 +99,38 @@ template <class T> ParticleLayout<T> ring_disc(const DiscShape<T> &disc, Extent 
   }
   sort_by_columns(layout);
   return layout;
+}
+
+/// A number of a sequence of random ones between 0 and 1, the same on all machines: SplitMix64 (Steele, Lea & Flood
+/// 2014, OOPSLA).
+inline double random_number(std::uint64_t seed, std::uint64_t place) {
+  std::uint64_t z = seed * 0xd1342543de82ef95U + (place + 1) * 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  z ^= z >> 31;
+  return std::ldexp(static_cast<double>(z >> 11), -53);
+}
+
+/// How far a disturbed particle may lie from its place on the lattice along each axis, over the particle distance.
+inline constexpr double largest_disturbance = 0.05;
+
+/// Another arrangement of the same disc, for what depends on how its particles lie: a whole disc is turned about its
+/// axis, and each particle moves at random by up to largest_disturbance particle distances along each axis; those of
+/// the outermost layers stay in their plane, and none leaves the disc. Volumes stay. `seed` chooses the arrangement.
+template <class T>
+void disturb(ParticleLayout<T> &layout, const DiscShape<T> &disc, Extent extent, std::uint64_t seed) {
+  const T most = T(largest_disturbance) * layout.spacing, edge = disc.radius - T(0.25) * layout.spacing;
+  const bool whole = symmetry_planes(extent).copies() == 1;
+  const T angle = whole ? T(2) * std::numbers::pi_v<T> * T(random_number(seed, 0)) : T(0);
+  for (std::size_t i = 0; i < layout.positions.size(); ++i) {
+    Vec3<T> &p = layout.positions[i];
+    const auto random = [&](std::uint64_t axis) { return most * T(2 * random_number(seed, 3 * i + 1 + axis) - 1); };
+    if (whole)
+      p = {std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2]};
+    const Vec3<T> moved = p + Vec3<T>(random(0), random(1), T(0));
+    if (std::hypot(moved[0], moved[1]) < edge) p = moved;
+    if (p[2] < -layout.spacing && p[2] > layout.spacing - disc.thickness) p[2] += random(2);
+  }
 }
 
 } // namespace ogive
