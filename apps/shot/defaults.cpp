@@ -35,6 +35,7 @@ std::string label_of(const options::Option &option) {
     return materials::label_of(metal);
   }
   if (option.key == std::string_view("rigid")) return option.toml();
+  if (option.kind == options::Kind::whole) return option.toml();
   if (option.kind == options::Kind::number) {
     const auto number = ogive::number_from(option.toml());
     return number ? options::shortest(std::round(*number * 1e6) / 1e6) : "";
@@ -125,6 +126,10 @@ void take_defaults(Options &o, const options::Origins &origins) {
     if (is_open("damage_softening")) o.damage_softening = choices.softening;
     if (is_open("damage_length_scope")) o.damage_length_scope = choices.length_scope;
     if (is_open("damage_pressure")) o.damage_pressure = choices.numerics.sph.damage_pressure;
+  } else {
+    if (is_open("damage_softening")) o.damage_softening = 0;
+    if (is_open("damage_length_scope")) o.damage_length_scope = LengthScope::everywhere;
+    if (is_open("damage_pressure")) o.damage_pressure = DamagePressure::own;
   }
   if (is_open("control_stiffness")) o.control_stiffness = choices.numerics.sph.control.stiffness;
   if (is_open("failure")) o.failure = default_failure(o.damage);

@@ -46,12 +46,13 @@ struct Options {
   Method method = Method::stabilised;
   std::string material = "weldox_460e";        ///< a name of the library, or a file that ends in .toml
   FlowModel model = FlowModel::mjc;            ///< parse() takes the file's where the material is one
-  DamageLaw damage = DamageLaw::none;          ///< parse() takes the method's where none is given; likewise below
-  FailureEffect failure = FailureEffect::none; ///< parse() takes default_failure() where none is given
-  double damage_softening = 0;                 ///< Dc
-  std::optional<double> damage_length_mm = 0;  ///< unset: shear_length_mm of each plate
-  LengthScope damage_length_scope{};           ///< where --damage-length-mm acts
-  DamagePressure damage_pressure{};            ///< that damage follows
+  /// Of damage parse() takes the method's where nothing is given.
+  DamageLaw damage = DamageLaw::johnson_cook;
+  FailureEffect failure = FailureEffect::no_tension;
+  double damage_softening = 0.3;            ///< Dc
+  std::optional<double> damage_length_mm{}; ///< unset: shear_length_mm of each plate
+  LengthScope damage_length_scope = LengthScope::in_shear;
+  DamagePressure damage_pressure = DamagePressure::neighbours;
   double thickness_mm = 12;                    ///< of several plates the sum
   std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
   std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
@@ -91,7 +92,7 @@ struct Options {
   Smoothing smoothing = Smoothing::constant;
   ElementRule element = ElementRule::one_point;
   PressureLaw pressure = PressureLaw::linear;
-  double control_stiffness = 0; ///< parse() takes the method's where none is given
+  double control_stiffness = 0.3; ///< parse() takes the method's where none is given
   double contact_stiffness = ogive::PerforationOptions<double>{}.contact_stiffness;
   double linear_viscosity = ogive::SphOptions<double>{}.linear_viscosity;
   double quadratic_viscosity = ogive::SphOptions<double>{}.quadratic_viscosity;

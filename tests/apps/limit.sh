@@ -111,6 +111,21 @@ limit stopped > stopped.out || fail "resumed: status $?"
 cmp limits.csv stopped/limits.csv || fail "resumed: another table of limits"
 diff <(results shots.csv) <(results stopped/shots.csv) || fail "resumed: another table of shots"
 
+# With other arrangements of the particles the first limit stays, and mean, scatter and interval follow from all.
+limit whole --repeats 3 > repeats.out || fail "--repeats: status $?: $(cat repeats.out)"
+diff <(grep 'limit by bisection' whole.out) <(grep 'limit by bisection' repeats.out) || fail "--repeats: another first limit"
+[ "$(column seed whole/limits.csv | sort | paste -sd ' ')" = "0 1 2" ] || fail "seeds: $(cat whole/limits.csv)"
+column bisection_limit_mps whole/limits.csv | awk '
+  { v[NR] = $1; sum += $1 } END { m = sum / NR; for (k in v) s += (v[k] - m)^2; printf "%.2f,%.2f\n", m, sqrt(s / (NR - 1)) }' > mean
+[ "$(paste -d, <(column mean_mps whole/repeats.csv) <(column standard_deviation_mps whole/repeats.csv))" = "$(cat mean)" ] ||
+  fail "mean and deviation $(cat mean): $(cat whole/repeats.csv)"
+grep -q '^  90 % interval  *[0-9.]* to [0-9.]* m/s$' repeats.out || fail "no interval: $(cat repeats.out)"
+limit whole --repeats 3 > again.out || fail "--repeats again: status $?"
+! grep '^[1-9][0-9]* shots run' again.out || fail "--repeats again: shots were run"
+diff <(grep '^  ' repeats.out) <(grep '^  ' again.out) || fail "--repeats again: another result"
+limit whole > again.out || fail "without --repeats: status $?"
+cmp limits.csv whole/limits.csv || fail "without --repeats: another table of limits"
+
 # Results of another case are not taken for those of this one, and stay.
 status=0
 limit whole --friction 0.3 > other.out 2> other.err || status=$?

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ogive/fit/repeated_limit.hpp"
+#include "catch.hpp"
 
+#include "ogive/fit/repeated_limit.hpp"
 #include "ogive/sph/layout.hpp"
 
-#include <catch2/catch_approx.hpp>
-#include <catch2/catch_test_macros.hpp>
-
-using Catch::Approx;
 using ogive::LimitEstimate;
 using ogive::repeated_limit;
 

@@ -352,22 +352,3 @@ TEST_CASE("a block of particles that turns as a rigid body stays free of stress"
     REQUIRE(std::abs(body.points.pressure[i]) < 60e3);
   }
 }
-
-TEST_CASE("discs have the plate's volume, whole layers and respect the mirror planes", "[sph]") {
-  const DiscShape<double> shape{24e-3, 12e-3, 0.6e-3};
-  const double volume = std::numbers::pi * 24e-3 * 24e-3 * 12e-3;
-  for (const auto &make : {&cubic_disc<double>, &ring_disc<double>}) {
-    double full = 0, quarter = 0;
-    for (double v : make(shape, Extent::full).volumes) full += v;
-    const auto q = make(shape, Extent::quarter);
-    for (double v : q.volumes) quarter += v;
-    CHECK(4 * quarter == Approx(full).epsilon(1e-9));
-    CHECK(full == Approx(volume).epsilon(5e-3)); // the lattice's staircase; rings are exact
-    for (const auto &p : q.positions) REQUIRE((p[0] > 0 && p[1] > 0 && p[2] < 0 && p[2] > -12e-3));
-  }
-  const auto odd = cubic_disc(DiscShape<double>{24e-3, 10e-3, 0.6e-3}, Extent::quarter);
-  CHECK(odd.spacing == Approx(10e-3 / 17)); // 16.67 layers: the nearest whole number is 17
-  CHECK_THROWS_WITH(cubic_disc(DiscShape<double>{24e-3, 1e-3, 0.6e-3}, Extent::quarter),
-                    Catch::Contains("at most half"));
-  CHECK_THROWS_AS(cubic_disc(DiscShape<double>{24e-3, 12e-3, std::nan("")}, Extent::quarter), SetupError);
-}

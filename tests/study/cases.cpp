@@ -48,7 +48,7 @@ TEST_CASE("Varied options multiply, the last one fastest") {
   CHECK(pairs == std::vector<std::pair<double, double>>{
                      {6, 200}, {6, 275}, {6, 350}, {6, 500}, {8, 200}, {8, 275}, {8, 350}, {8, 500}});
   for (const Case &one : list.cases) CHECK(one.options.spacing_mm == 2);
-  CHECK(list.cases[1].name == "mjc_weldox_460e_blunt_6mm_275mps_2mm");
+  CHECK(list.cases[1].name == "stabilised_mjc_weldox_460e_blunt_6mm_275mps_2mm");
 
   // The defaults of a case are those of its own nose, as for a single shot.
   const auto noses = cases_of(common, {}, {"nose=blunt,conical", "friction=0.1:0.3:0.1"});
@@ -56,7 +56,7 @@ TEST_CASE("Varied options multiply, the last one fastest") {
   CHECK(noses.own_columns == std::vector<std::string>{"friction"});
   CHECK(noses.cases[5].options.length_mm == options_with({{"nose", "conical"}}).length_mm);
   CHECK(noses.cases[5].options.friction == 0.3);
-  CHECK(noses.cases[5].name == "mjc_weldox_460e_conical_12mm_303.5mps_2mm_friction=0.3");
+  CHECK(noses.cases[5].name == "stabilised_mjc_weldox_460e_conical_12mm_303.5mps_2mm_friction=0.3");
 }
 
 TEST_CASE("A range holds its ends, and what is no range is a value") {
@@ -95,7 +95,7 @@ TEST_CASE("The columns of a list are options of a shot") {
                              ",,8,,\n");
   REQUIRE(list.cases.size() == 2);
   CHECK(list.own_columns == std::vector<std::string>{"friction"});
-  CHECK(names_in(list) == std::vector<std::string>{"thin", "mjc_weldox_460e_blunt_8mm_303.5mps_2mm_friction=0"});
+  CHECK(names_in(list) == std::vector<std::string>{"thin", "stabilised_mjc_weldox_460e_blunt_8mm_303.5mps_2mm_friction=0"});
   CHECK(list.cases[0].options.thickness_mm == 6);
   CHECK(list.cases[0].options.friction == 0.1);
   CHECK(list.cases[0].key.values ==

@@ -174,7 +174,7 @@ TEST_CASE("A line for a limit has bisection, fit, test, and shots that contradic
   REQUIRE(limits.size() == 1); // no shots of the other
   CHECK(limits[0].fit->curve.limit == Approx(182).margin(0.1));
   CHECK(described(limits[0], {}) ==
-        "mjc, weldox_460e, blunt, 12 mm: limit 183.0 +- 2.0 m/s by bisection; fit to 5 shots: "
+        "stabilised, mjc, weldox_460e, blunt, 12 mm: limit 183.0 +- 2.0 m/s by bisection; fit to 5 shots: "
         "182.0 +- 0.0 m/s, a 0.80, p 2.00, -1.0 m/s from the bisection; test 184.5 m/s");
 
   rows.push_back(row_at(steel, 260, 270));
@@ -185,10 +185,10 @@ TEST_CASE("A line for a limit has bisection, fit, test, and shots that contradic
   limits = limits_in({ogival}, {row_at(ogival, 300, 310)});
   REQUIRE(limits.size() == 1);
   CHECK_FALSE(limits[0].fit.has_value());
-  CHECK(described(limits[0], {}) == "mjc, weldox_460e, ogival, 12 mm: no limit by bisection yet; test 295.9 m/s");
+  CHECK(described(limits[0], {}) == "stabilised, mjc, weldox_460e, ogival, 12 mm: no limit by bisection yet; test 295.9 m/s");
 
   limits[0].key.values.emplace_back("0.1");
-  CHECK(described(limits[0], {"friction"}).starts_with("mjc, weldox_460e, ogival, 12 mm, friction 0.1: "));
+  CHECK(described(limits[0], {"friction"}).starts_with("stabilised, mjc, weldox_460e, ogival, 12 mm, friction 0.1: "));
 }
 
 TEST_CASE("The table of limits has all its columns, whatever is known") {
@@ -203,10 +203,10 @@ TEST_CASE("The table of limits has all its columns, whatever is known") {
   REQUIRE(lines.size() == 4);
   for (const auto &line : lines) CHECK(commas_in(line) == commas_in(lines[0]));
   CHECK(lines[0].starts_with("method,model,material,nose,thickness_mm,spacing_mm,highest_stopped_mps,"));
-  CHECK(lines[1].starts_with("paper,mjc,weldox_460e,blunt,12,0.6,180,303.5,241.75,1,"));
+  CHECK(lines[1].starts_with("stabilised,mjc,weldox_460e,blunt,12,0.6,180,303.5,241.75,1,"));
   CHECK(lines[1].ends_with(",184.5,195"));
-  CHECK(lines[2] == "paper,jc,weldox_460e,blunt,12,0.6,180,,,1,,,,,,,,,,,184.5,195");
-  CHECK(lines[3].starts_with("paper,mjc,weldox_460e,blunt,13,0.6,,300,,1,"));
+  CHECK(lines[2] == "stabilised,jc,weldox_460e,blunt,12,0.6,180,,,1,,,,,,,,,,,184.5,195");
+  CHECK(lines[3].starts_with("stabilised,mjc,weldox_460e,blunt,13,0.6,,300,,1,"));
   CHECK(lines[3].ends_with(",,"));
 
   for (LimitRow &row : limits) row.key.values.emplace_back("6,7");

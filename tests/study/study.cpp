@@ -50,7 +50,7 @@ TEST_CASE("Shots are run once: rows, summaries without a row and frames count as
   CHECK(outcome.failed.empty());
   CHECK(outcome.stopped_by == 0);
   REQUIRE(small.said.size() == 3);
-  CHECK(small.said[0].starts_with("mjc_weldox_460e_blunt_4mm_150mps_2mm: undecided, "));
+  CHECK(small.said[0].starts_with("stabilised_mjc_weldox_460e_blunt_4mm_150mps_2mm: undecided, "));
   CHECK(velocities_of(small.rows()) == std::vector<double>{150, 200, 250});
   const auto hashes = hashes_of(small.rows());
 
