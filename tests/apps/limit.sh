@@ -111,6 +111,17 @@ limit stopped > stopped.out || fail "resumed: status $?"
 cmp limits.csv stopped/limits.csv || fail "resumed: another table of limits"
 diff <(results shots.csv) <(results stopped/shots.csv) || fail "resumed: another table of shots"
 
+# With another arrangement of the particles, whose limit is found beside the one that is known.
+cp -r whole repeats
+limit repeats --repeats 2 > repeats.out || fail "repeats: status $?"
+grep -q '^  mean limit  *[0-9.]* m/s, standard deviation [0-9.]* m/s$' repeats.out || fail "no mean: $(cat repeats.out)"
+grep -q '^  90 % interval  *[-0-9.]* to [0-9.]* m/s$' repeats.out || fail "no interval: $(cat repeats.out)"
+[ "$(column seed repeats/limits.csv | paste -sd ' ')" = "0 1" ] || fail "other seeds: $(cat repeats/limits.csv)"
+column bisection_limit_mps repeats/limits.csv |
+  awk -v mean="$(column mean_mps repeats/repeats.csv)" '{ sum += $1 } END { exit !((sum / NR - mean) ^ 2 < 1e-4) }' ||
+  fail "another mean: $(cat repeats/repeats.csv repeats/limits.csv)"
+diff <(head -n 2 limits.csv) <(head -n 2 repeats/limits.csv) || fail "another limit of the first arrangement"
+
 # Results of another case are not taken for those of this one, and stay.
 status=0
 limit whole --friction 0.3 > other.out 2> other.err || status=$?
