@@ -134,9 +134,7 @@ def outcome_of(case, folder, status, output, most_energy_error):
     found += [f"{key} is {value}" for key, value in numbers.items() if not math.isfinite(value)]
     if summary["energy_error"] is None or not summary["energy_error"] <= most_energy_error:
         found.append(f"energy error {100 * (summary['energy_error'] or math.nan):.2f} %")
-    # Hexes are as coarse as two particles.
-    deepest = 0.5 * summary["spacing_mm"]
-    if not summary["largest_intrusion_mm"] <= deepest:
+    if not summary["largest_intrusion_mm"] <= 0.5 * summary["spacing_mm"]:
         found.append(f"a particle {summary['largest_intrusion_mm']:.3f} mm inside the projectile")
     return found, None
 

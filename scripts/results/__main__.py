@@ -63,7 +63,7 @@ def read_options():
     option("--quick", action="store_true", help="particles 1.5 mm apart, in vtk_out/figures_quick and its page/")
     option("--page", action="store_true", dest="page_only", help="run no shots; draw what is missing and make the page")
     option("--published", action="store_true", help="take shots and pictures of the page as done; run no shots for pictures")
-    option("--method", choices=("sfm", "stabilised", "adaptive"), default="sfm", help="of the shots, beside those there [sfm]")
+    option("--method", choices=("paper", "stabilised"), default="paper", help="of the shots, beside those there [paper]")
     option("--jobs", type=positive, help="shots at a time [as many as cores]")
 
     option = command("tables", "tables", "make_tables", "print the tables of a page in docs/ that have this name")

@@ -154,7 +154,7 @@ def plate_of(row):
     return metal_of(row["material"]), row["nose"], row["thickness_mm"]
 
 
-def of_plate(rows, metal, nose, thickness_mm, model="mjc", method="sfm", spacing_mm=None):
+def of_plate(rows, metal, nose, thickness_mm, model="mjc", method="paper", spacing_mm=None):
     """Rows of shots or limits of a plate, at any particle distance if that is None."""
     return [row for row in rows if metal_of(row["material"]) == metal and row["nose"] == nose
             and row["method"] == method and row["model"] == model and close(row["thickness_mm"], thickness_mm)

@@ -14,14 +14,14 @@ from .page import make_page
 from .published import take_published
 
 CAMPAIGNS = ("steel_blunt", "nose_shapes", "aluminium_conical")
-METHODS = ("sfm", "stabilised", "adaptive")
+METHODS = ("paper", "stabilised")
 
 
 class Shot:
     """A shot of a picture, of the modified law, in the folder that the programs of the figures give it."""
 
     def __init__(self, figures, method, material, nose, thickness, velocity, spacing):
-        name = f"{method}_mjc_{material}_{nose}_{thickness}mm_{velocity}mps_{short(spacing)}mm".removeprefix("sfm_")
+        name = f"{method}_mjc_{material}_{nose}_{thickness}mm_{velocity}mps_{short(spacing)}mm"
         self.thickness, self.velocity, self.folder = thickness, velocity, figures / "shots" / name
         self.series = self.folder / "perforation.pvd"
 
@@ -71,8 +71,8 @@ class Campaign:
         model = self.figures / "model"
         if (self.figures / "figure_5.png").exists():
             return
-        self.attempt("figure 5", self.programs / "ogive", "mesh", "--thickness-mm", 12, "--spacing-mm", self.spacing,
-                     "--out", model, stdout=subprocess.DEVNULL)
+        self.attempt("figure 5", self.programs / "ogive", "mesh", "--method", "paper", "--thickness-mm", 12, "--spacing-mm",
+                     self.spacing, "--out", model, stdout=subprocess.DEVNULL)
         self.draw(5, [], "--mesh", model)
 
     def film(self, number, shot, *options):
@@ -93,7 +93,7 @@ class Campaign:
 
     def pictures(self, method):
         """Figs. 7, 8, 10 and 14 with a method."""
-        suffix, text = ("", "") if method == "sfm" else (f"_{method}", f", {method}")
+        suffix, text = ("", "") if method == "paper" else (f"_{method}", f", {method}")
 
         def shot(material, nose, thickness, velocity):
             return Shot(self.figures, method, material, nose, thickness, velocity, self.spacing)
@@ -145,7 +145,7 @@ def make_figures(quick, page_only, published, method, jobs):
     campaign.draw(4, [], "--projectiles")
     campaign.draw_model()
     for name in METHODS:
-        if name == "sfm" or any(figures.glob(f"shots/{name}_*")):
+        if name == "paper" or any(figures.glob(f"shots/{name}_*")):
             campaign.pictures(name)
     try:
         make_page(figures, page, spacing_mm=campaign.spacing)

@@ -18,7 +18,7 @@ def plate_text(nose, thickness_mm):
 
 
 def shot_text(row):
-    method = "" if row["method"] == "sfm" else f"{row['method']}, "
+    method = "" if row["method"] == "paper" else f"{row['method']}, "
     velocity = short(row["initial_velocity_mps"], 5)
     return f"{method}{row['model']}, {plate_text(row['nose'], row['thickness_mm'])}, {velocity} m/s"
 

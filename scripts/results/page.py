@@ -20,6 +20,13 @@ from .data import (KEY_COLUMNS, LAWS, PROGRAMS, RECORD_COLUMNS, ROOT, InputError
 from .kinds import shot_text
 
 
+def cubic_particles(thickness_mm, spacing_mm, radius_mm=24):
+    """Particles of a quarter disc on the cubic lattice: those of cubic_disc in include/ogive/sph/layout.hpp."""
+    layers = max(1, int(thickness_mm / spacing_mm + 0.5))
+    reach = radius_mm * layers / thickness_mm
+    return layers * sum((i + 0.5)**2 + (j + 0.5)**2 < reach**2 for i in range(int(reach) + 1) for j in range(int(reach) + 1))
+
+
 class Table(NamedTuple):
     """Cells are texts; columns in `numbers` are flush right."""
     header: list
@@ -47,18 +54,23 @@ class Page:
         self.late_shots = "; ".join(f"{shot_text(s)}: {short(s['residual_velocity_mps'])} m/s" for s in self.results.shots
                                     if ended_by_time(s))
         self.methods = sorted({row["method"] for row in self.results.shots})
-        self.beyond_methods = [method for method in self.methods if method != "sfm"]
+        self.beyond_methods = [method for method in self.methods if method != "paper"]
         self.beyond = [r for r in run_checks(self.results, self.tests, BEYOND, self.spacing_mm)
                        if r.id.partition("_")[0] in self.beyond_methods]
+
+    def on_rings(self):
+        """The versions of the paper's shots whose particles lie on rings instead of the paper's cubic lattice."""
+        return sorted({s.get("version") or "unknown" for s in self.results.shots if s["method"] == "paper" and s.get("particles")
+                       and s["particles"] != cubic_particles(s["thickness_mm"], s["spacing_mm"])})
 
     def checks_of(self, figure):
         return [result for result in self.checks if figure in result.figures]
 
-    def limit(self, plate, model, method="sfm"):
+    def limit(self, plate, model, method="paper"):
         return next(iter(of_plate(self.results.limits, *plate, model, method, self.spacing_mm)), None)
 
     def shot(self, plate, velocity_mps, model):
-        return next((s for s in of_plate(self.results.shots, *plate, model, "sfm", self.spacing_mm)
+        return next((s for s in of_plate(self.results.shots, *plate, model, "paper", self.spacing_mm)
                      if close(s["initial_velocity_mps"], velocity_mps, 0.05)), None)
 
     def shots_of_figure(self, figure):
@@ -132,7 +144,7 @@ class Page:
         return [(group["metal"], group["nose"], thickness) for group in fact.get("tests", [])
                 for thickness in group["thickness_mm"]]
 
-    def _limit_cells(self, plate, model, method="sfm"):
+    def _limit_cells(self, plate, model, method="paper"):
         row = self.limit(plate, model, method)
         computed = row and row["bisection_limit_mps"]
         return [fixed(computed, 1, row and half_width_mps(row)),
@@ -202,8 +214,8 @@ class Page:
                       "test, m/s", "off, %", "paper, m/s", "off, %"], rows, range(2, 12))
 
     def beyond_limits(self):
-        methods = ["sfm", *self.beyond_methods]
-        plates = {plate_of(r) for r in self.results.limits if r["method"] != "sfm"}
+        methods = ["paper", *self.beyond_methods]
+        plates = {plate_of(r) for r in self.results.limits if r["method"] != "paper"}
         rows = [[plate_name(plate), short(self.tests.limit_mps(*plate)),
                  *(cell for method in methods for cell in self._limit_cells(plate, "mjc", method))]
                 for plate in sorted(plates, key=steel_first)]
@@ -216,7 +228,7 @@ class Page:
             return {s.key(KEY_COLUMNS[1:]): s["cpu_s"] for s in self.results.shots
                     if s["method"] == method and s.get("cpu_s")}
 
-        ours, paper = seconds(method), seconds("sfm")
+        ours, paper = seconds(method), seconds("paper")
         both = sorted(ours.keys() & paper.keys())
         return sum(ours[key] for key in both) / sum(paper[key] for key in both) if both else None
 

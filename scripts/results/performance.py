@@ -34,9 +34,9 @@ def bounds(shot, timing, limits):
 
 def tables(report, earlier=None):
     """All tables; with an earlier measurement, the times of that one beside those of `report`."""
-    shots = [{"method": "sfm", "lane_pairs_of_entry": report["lane_pairs_of_entry"], **shot} for shot in report["shots"]]
+    shots = [{"method": "paper", "lane_pairs_of_entry": report["lane_pairs_of_entry"], **shot} for shot in report["shots"]]
     every = [(shot, timing, limits) for shot in shots for timing, limits in zip(shot["timings"], report["limits"])]
-    before = {(shot.get("method", "sfm"), round(shot["particles"], -3), timing["threads"]): (shot, timing)
+    before = {(shot.get("method", "paper"), round(shot["particles"], -3), timing["threads"]): (shot, timing)
               for shot in (earlier or {"shots": []})["shots"] for timing in shot["timings"]}
 
     def of_case(shot, timing):

@@ -91,9 +91,10 @@ def summary(sweep, name):
     return None if found.get("fault") else found
 
 
-def limits(sweep):
-    """The limits that have been found, m/s, by the name of the case. The rows of limits have no names but values of all
-    options: that of a case has its values, and in columns that it leaves empty none that others of the list give."""
+def limit_rows(sweep):
+    """(case, row of limits.csv) of the limits that have been found. The rows of limits have no names but values of all
+    options: that of a case has its values, and in columns that it leaves empty none that others of the list give. With
+    --vary a case has several."""
     file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
     columns = [column for column in listed[0] if column not in ("name", "text")]
     given = {column: {case[column] for case in listed} - {""} for column in columns}
@@ -101,7 +102,11 @@ def limits(sweep):
     def value(row, column):
         return Path(row[column]).name if column == "material" else row[column]
 
-    return {case["name"]: float(row["bisection_limit_mps"]) for case in listed
-            for row in (texts(file) if file.exists() else [])
+    return [(case, row) for case in listed for row in (texts(file) if file.exists() else [])
             if row["bisection_limit_mps"] and all(value(row, c) == case[c] if case[c] else value(row, c) not in given[c]
-                                                  for c in columns)}
+                                                  for c in columns)]
+
+
+def limits(sweep):
+    """The limits that have been found, m/s, by the name of the case."""
+    return {case["name"]: float(row["bisection_limit_mps"]) for case, row in limit_rows(sweep)}

@@ -1,5 +1,6 @@
 """The tables of docs/, in Markdown: of shots and limits that sweeps.py runs, and of the page of results."""
 
+import math
 from functools import partial
 from typing import Callable, NamedTuple
 
@@ -40,9 +41,6 @@ SHOTS = (INITIAL, TEST, RESIDUAL, PLUG, ENERGY, INTRUSION, Column("momentum erro
          Column("steps", "steps", ".0f"))
 STABILISED = (INITIAL, TEST, RESIDUAL, PLUG, Column("failed particles", "failed_particles", ".0f"), DISHING, BONDS, ENERGY,
               COST)
-ADAPTIVE = (INITIAL, TEST, RESIDUAL, PLUG, Column("hexes failed, distorted", "failed_hexes distorted_hexes", ".0f"),
-            Column("dishing at the end, at rest, mm", "dishing_mm dishing_at_rest_mm", ".2f"),
-            BONDS._replace(title="hourglass, % of energy"), FINE_ENERGY, INTRUSION, COST)
 DISHINGS = (Column("size, mm", "case_spacing_mm", ""), RESIDUAL, DISHING, Column("at rest, mm", "dishing_at_rest_mm", ".2f"))
 
 
@@ -62,58 +60,91 @@ def percent(value, reference):
     return f"{100 * (value / reference - 1):+.1f} %" if value and reference else "–"
 
 
-def damage(sweeps):
-    """Limits of two plates."""
-    thin, thick = map(runs.limits, sweeps)
-    found = [(case["text"], thin[case["name"]], thick[case["name"]]) for case in runs.cases(sweeps[0])
-             if case["name"] in thin.keys() & thick.keys()]
-    tests = ("tests", *(Tests().limit_mps(*STEEL, thickness) for thickness in (6, 12)))
-    return found and markdown_table(["case", "6 mm, m/s", "12 mm, m/s", "6 mm over 12 mm"], [
-        [text, f"{a:.1f}", f"{b:.1f}", f"{a / b:.2f}"] for text, a, b in [tests, *found]])
-
-
-def sizes(method, things, sweeps):
-    """Limits with other sizes of hexes or particles beside those of the page, which has 0.6 mm."""
+def sizes(sweeps):
+    """Limits of the stabilised method with other particle distances beside those of the page, which has 0.6 mm."""
     found, rows = {size: runs.limits(sweep) for size, sweep in zip((1.2, 0.8, 0.45), sweeps)}, []
     for case in runs.cases(sweeps[0]):
         thickness = float(case["thickness_mm"])
-        page = of_plate(read_limits(PAGE / "data"), *STEEL, thickness, "mjc", method)
+        page = of_plate(read_limits(PAGE / "data"), *STEEL, thickness, "mjc", "stabilised")
         limits = {size: found[size].get(case["name"]) for size in found} | {0.6: page[0]["bisection_limit_mps"]}
         rows.append([f"{thickness:g} mm", f"{Tests().limit_mps(*STEEL, thickness):.1f}",
                      *(f"{limits[size]:.1f}" if limits[size] else "–" for size in (1.2, 0.8, 0.6, 0.45)),
                      *(percent(limits[size], limits[0.6]) for size in (0.8, 0.45))])
     return any(found.values()) and markdown_table(
-        ["plate", "tests, m/s", f"{things} of 1.2 mm", "0.8 mm", "0.6 mm", "0.45 mm", "0.8 mm against 0.6 mm",
+        ["plate", "test, m/s", "particles of 1.2 mm", "0.8 mm", "0.6 mm", "0.45 mm", "0.8 mm against 0.6 mm",
          "0.45 mm against 0.6 mm"], rows)
 
 
-def costs(header, method, rows, total):
-    """Of (first cells, seconds with the paper's method, seconds with the other), and their sum."""
-    return rows and markdown_table([*header, "the paper's method, s", f"{method}, s", "ratio"], [
-        [*cells, f"{paper:.0f}", f"{other:.0f}", f"{other / paper:.2f}"]
-        for cells, paper, other in [*rows, (total, sum(row[1] for row in rows), sum(row[2] for row in rows))]])
-
-
-def timing(sweeps):
+def paper_limits(sweeps):
+    """Limits beside the paper's own and the tests."""
     rows = []
-    for case in runs.cases(sweeps[0]):
-        found = [runs.summary(sweep, case["name"]) for sweep in sweeps]
-        if all(found):
-            rows.append(([case["nose"], f"{case['thickness_mm']} mm {case['material']}", case["velocity_mps"]],
-                         *(values["cpu_s"] for values in found)))
-    return costs(["nose", "plate", "initial, m/s"], "adaptive", rows, ["all", "", ""])
+    for case, row in runs.limit_rows(sweeps[0]):
+        plate, limit = (*STEEL, float(case["thickness_mm"])), float(row["bisection_limit_mps"])
+        test, paper = Tests().limit_mps(*plate), Tests().paper_velocity_mps(*plate)
+        rows.append([f"{plate[2]:g} mm", f"{test:.1f}", f"{paper:.0f}", f"{limit:.1f}", percent(limit, paper),
+                     percent(limit, test)])
+    return rows and markdown_table(
+        ["plate", "test, m/s", "paper, m/s", "computed, m/s", "against the paper", "against the test"], rows)
 
 
-def cost(method, _):
-    """Of the shots of the page that both methods have, by plate."""
+# 95 % quantiles of Student's distribution by degrees of freedom, from 1 on.
+STUDENT_95 = (6.3138, 2.9200, 2.3534, 2.1318, 2.0150, 1.9432, 1.8946, 1.8595, 1.8331)
+
+
+def repeated_limit(limits):
+    """Mean, standard deviation and half of the 90 % interval of the mean of (limit, half width of its bracket), two or
+    more: the rule of include/ogive/fit/repeated_limit.hpp."""
+    values, halves = zip(*limits)
+    mean = sum(values) / len(values)
+    variance = sum((value - mean) ** 2 for value in values) / (len(values) - 1)
+    of_brackets = sum(half ** 2 for half in halves) / (3 * len(halves))
+    return (mean, math.sqrt(variance),
+            STUDENT_95[len(values) - 2] * math.sqrt(max(variance, of_brackets) / len(values)))
+
+
+def repeats(sweeps):
+    """Limits with several arrangements of the particles, one column each."""
+    plates, seeds = {}, []
+    for case, row in runs.limit_rows(sweeps[0]):
+        half = (float(row["lowest_perforated_mps"]) - float(row["highest_stopped_mps"])) / 2
+        plates.setdefault(float(case["thickness_mm"]), {})[row["seed"]] = (float(row["bisection_limit_mps"]), half)
+        seeds.append(int(row["seed"]))
+    seeds, rows = [str(seed) for seed in sorted(set(seeds))], []
+    for thickness, found in plates.items():
+        test, cells = Tests().limit_mps(*STEEL, thickness), ["–"] * 4
+        if len(found) > 1:
+            mean, deviation, half = repeated_limit(found.values())
+            cells = [f"{mean:.1f}", f"{deviation:.1f}", f"{mean - half:.1f} to {mean + half:.1f}", percent(mean, test)]
+        rows.append([f"{thickness:g} mm", f"{test:.1f}",
+                     *(f"{found[seed][0]:.1f}" if seed in found else "–" for seed in seeds), *cells])
+    return rows and markdown_table(
+        ["plate", "test, m/s", *(f"seed {seed}, m/s" for seed in seeds), "mean, m/s", "standard deviation, m/s",
+         "90 % interval of the mean, m/s", "mean against the test"], rows)
+
+
+def scale(sweeps):
+    """Limits of the same geometry in several sizes."""
+    found = runs.limits(sweeps[0])
+    return found and markdown_table(
+        ["geometry", "plate, mm", "projectile, mm", "particle distance, mm", "limit, m/s", "against the geometry of the tests"],
+        [[case["text"], case["thickness_mm"], case["diameter_mm"], case["spacing_mm"],
+          f"{found[case['name']]:.1f}" if case["name"] in found else "–",
+          percent(found.get(case["name"]), found.get("equal"))] for case in runs.cases(sweeps[0])])
+
+
+def cost(_):
+    """Processor time of the shots of the page that both methods have, by plate, and of all of them."""
     seconds, plates = {row.key(KEY_COLUMNS): row["cpu_s"] for row in read_table(PAGE / "run_record.csv")}, {}
-    for way, *shot in seconds:
-        if way == method and shot[0] == "mjc" and ("sfm", *shot) in seconds:
+    for method, *shot in seconds:
+        if method == "stabilised" and shot[0] == "mjc" and ("paper", *shot) in seconds:
             plates.setdefault(tuple(shot[1:4]), []).append(shot)
-    rows = [([nose, f"{thickness:g} mm {material}", str(len(found))],
-             *(sum(seconds[way, *shot] for shot in found) for way in ("sfm", method)))
+    rows = [(nose, f"{thickness:g} mm {material}", len(found),
+             *(sum(seconds[method, *shot] for shot in found) for method in ("paper", "stabilised")))
             for (material, nose, thickness), found in plates.items()]
-    return costs(["nose", "plate", "shots"], method, rows, ["all", "", str(sum(map(len, plates.values())))])
+    rows = rows and [*rows, ("all", "", *(sum(row[k] for row in rows) for k in (2, 3, 4)))]
+    return rows and markdown_table(["nose", "plate", "shots", "paper, s", "stabilised, s", "ratio"], [
+        [nose, plate, str(count), f"{paper:.0f}", f"{other:.0f}", f"{other / paper:.2f}"]
+        for nose, plate, count, paper, other in rows])
 
 
 def limits(_):
@@ -129,10 +160,10 @@ def limits(_):
         if row["model"] == "mjc":
             plates.setdefault(row.key(("material", "nose", "thickness_mm", "test_limit_mps")), {})[row["method"]] = row
     return markdown_table(
-        ["nose", "plate", "tests, m/s", "the paper's method, m/s", "off", "stabilised, m/s", "off", "adaptive, m/s", "off"],
+        ["nose", "plate", "test, m/s", "paper, m/s", "error", "stabilised, m/s", "error"],
         [[nose, f"{thickness:g} mm {material}", f"{test:.1f}",
-          *(cell for method in ("sfm", "stabilised", "adaptive") for cell in cells(found.get(method), test))]
-         for (material, nose, thickness, test), found in plates.items() if found.keys() - {"sfm"}])
+          *(cell for method in ("paper", "stabilised") for cell in cells(found.get(method), test))]
+         for (material, nose, thickness, test), found in plates.items() if "stabilised" in found])
 
 
 def residuals(_):
@@ -151,60 +182,58 @@ class Table(NamedTuple):
     sweeps: tuple = ()
 
 
-def sizes_of(method, things, caption):
-    return Table(f"{caption}, other sizes of {things}: limits by bisection to 2.5 m/s. Those with 0.6 mm are those of the page "
-                 "of results.", partial(sizes, method, things), tuple(
-                     Sweep(f"limits_{method}_{size}mm", "limits", f"--limit --method {method} --model mjc --spacing-mm {size}")
-                     for size in (1.2, 0.8, 0.45)))
-
-
-def cost_of(method):
-    return Table("Processor time of the same shots on the page of results, modified law, as it was when each was run, "
-                 f"{method}:", partial(cost, method))
-
+# The method and the arrangement of the particles of the two pages about the paper's choices.
+ON_RINGS = "--method paper --lattice ring"
+LIMITS = "--limit --model mjc --spacing-mm 0.6"
 
 # Name: page in docs/, tables.
 TABLES = {
-    "plate_12mm": ("plate_12mm", [Table("", partial(shots, SHOTS), (Sweep("plate_12mm", "plate_12mm"),))]),
+    "plate_12mm": ("plate_12mm", [Table("", partial(shots, SHOTS), (Sweep("plate_12mm", "plate_12mm", ON_RINGS),))]),
     "sensitivity": ("sensitivity", [
-        Table("", partial(shots, SHOTS), (Sweep("sensitivity", "sensitivity"),)),
+        Table("", partial(shots, SHOTS), (Sweep("sensitivity", "sensitivity", ON_RINGS),)),
         Table("Particle distance, three plates:", partial(shots, SHOTS), tuple(
-            Sweep(f"distance_{size}mm", "distance", f"--spacing-mm {size}", f"{{}}, particle distance {size} mm")
+            Sweep(f"distance_{size}mm", "distance", f"{ON_RINGS} --spacing-mm {size}", f"{{}}, particle distance {size} mm")
             for size in (1.2, 0.9, 0.6, 0.45))),
         Table("Two plates near the limits of the tests, particles 0.8 mm apart:", partial(shots, SHOTS), tuple(
-            Sweep(f"near_limit_{thickness}mm", "near_limit", f"--spacing-mm 0.8 --thickness-mm {thickness} --velocity-mps "
-                  f"{velocity}", f"{thickness} mm, {{}}") for thickness, velocity in ((8, 180), (16, 265)))),
+            Sweep(f"near_limit_{thickness}mm", "near_limit", f"{ON_RINGS} --spacing-mm 0.8 --thickness-mm {thickness} "
+                  f"--velocity-mps {velocity}", f"{thickness} mm, {{}}") for thickness, velocity in ((8, 180), (16, 265)))),
         Table("Conical nose, particles 1.2 mm apart:", partial(shots, SHOTS),
-              (Sweep("conical", "conical", "--nose conical --spacing-mm 1.2"),))]),
+              (Sweep("conical", "conical", f"{ON_RINGS} --nose conical --spacing-mm 1.2"),))]),
+    "paper": ("beyond", [
+        Table("Method `paper`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection to 2.5 m/s beside the "
+              "paper's own and the tests:", paper_limits, (Sweep("limits_paper", "limits", f"{LIMITS} --method paper"),)),
+        Table("The same with the standard form and a smoothing length that follows the density:", paper_limits,
+              (Sweep("limits_paper_standard", "limits_three",
+                     f"{LIMITS} --method paper --form standard --smoothing variable"),))]),
     "limits": ("beyond", [
-        Table("Limits by bisection on the page of results, modified law, 0.6 mm, against the tests; what lies between two shots "
-              "more than 5 m/s apart is not known better yet:", limits),
-        Table("12 mm of steel, blunt, stabilised, on the page of results, modified law, 0.6 mm, at the velocities of measured "
-              "shots:", residuals)]),
+        Table("Limits by bisection on the page of results, modified law, 0.6 mm; brackets wider than 5 m/s are given as "
+              "ranges:", limits),
+        Table("Method `stabilised`, 12 mm Weldox 460 E, blunt, modified law, 0.6 mm, at the velocities of measured shots:",
+              residuals)]),
+    "repeats": ("beyond", [
+        Table("Method `stabilised`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection to 2.5 m/s with three "
+              "arrangements of the particles (`--seed`):", repeats,
+              (Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1"),))]),
+    "sizes_stabilised": ("beyond", [
+        Table("Method `stabilised`, other particle distances: limits by bisection to 2.5 m/s. Those with 0.6 mm are on the page "
+              "of results.", sizes, tuple(
+                  Sweep(f"limits_stabilised_{size}mm", "limits", f"--limit --method stabilised --model mjc --spacing-mm {size}")
+                  for size in (1.2, 0.8, 0.45)))]),
+    "scale": ("beyond", [
+        Table("Method `stabilised`, blunt nose, Weldox 460 E, modified law, all lengths times 0.5, 1 and 2: limits by bisection "
+              "to 2.5 m/s:", scale, (Sweep("scale", "scale", "--limit --method stabilised --model mjc"),))]),
     "stabilised": ("beyond", [
-        Table("Stabilised, one parameter at a time, particles 0.8 mm apart:", partial(shots, STABILISED), tuple(
+        Table("Method `stabilised`, one parameter at a time, particles 0.8 mm apart:", partial(shots, STABILISED), tuple(
             Sweep(f"stabilised_{thickness}mm", "stabilised", "--method stabilised --model mjc --spacing-mm 0.8 "
                   f"--thickness-mm {thickness} --velocity-mps {velocity}", f"{thickness} mm, {{}}")
             for thickness, velocity in ((12, 224.7), (6, 170))))]),
-    "adaptive": ("beyond", [Table(caption, partial(shots, ADAPTIVE), (Sweep(name, name, "--method adaptive"),))
-                            for name, caption in (
-        ("adaptive", "Hexes that turn into particles, the plate that ℓ was chosen on, 12 mm, hexes of 0.6 mm:"),
-        ("adaptive_plates", "Other plates and noses:"), ("adaptive_sizes", "Size of the hexes:"))]),
-    "damage": ("beyond", [
-        Table("Hexes that turn into particles, hexes of 1.2 mm: limits by bisection to 2.5 m/s.", damage, tuple(
-            Sweep(f"damage_{thickness}mm", "damage", f"--limit --method adaptive --spacing-mm 1.2 --thickness-mm {thickness}")
-            for thickness in (6, 12)))]),
     "dishing": ("beyond", [
         Table("Plate of 12 mm at 181.5 m/s, modified law, 2 ms more after the shot is decided; the test left 2.92 mm (Børvik et "
               "al. 2002, IJIE 27:19, quoted):", partial(shots, DISHINGS, first="method"),
               (Sweep("dishing", "dishing", "--model mjc --velocity-mps 181.5 --settle-us 2000"),))]),
-    "sizes_adaptive": ("beyond", [sizes_of("adaptive", "hexes", "Hexes that turn into particles")]),
-    "sizes_stabilised": ("beyond", [sizes_of("stabilised", "particles", "Stabilised")]),
-    "cost": ("beyond", [cost_of("adaptive"), cost_of("stabilised")]),
-    "timing": ("beyond", [
-        Table("Processor time of one shot with either method, one after the other, one thread, modified law, 0.6 mm:", timing,
-              tuple(Sweep(f"timing_{way}", "timing", f"--model mjc --spacing-mm 0.6 --method {way} --threads 1 --jobs 1")
-                    for way in ("sfm", "adaptive")))]),
+    "cost": ("beyond", [
+        Table("Processor time of the same shots on the page of results, modified law, each with the version and on the machine "
+              "of its row in the run record:", cost)]),
 }
 
 

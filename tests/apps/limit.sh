@@ -119,7 +119,7 @@ column bisection_limit_mps whole/limits.csv | awk '
   { v[NR] = $1; sum += $1 } END { m = sum / NR; for (k in v) s += (v[k] - m)^2; printf "%.2f,%.2f\n", m, sqrt(s / (NR - 1)) }' > mean
 [ "$(paste -d, <(column mean_mps whole/repeats.csv) <(column standard_deviation_mps whole/repeats.csv))" = "$(cat mean)" ] ||
   fail "mean and deviation $(cat mean): $(cat whole/repeats.csv)"
-grep -q '^  90 % interval  *[0-9.]* to [0-9.]* m/s$' repeats.out || fail "no interval: $(cat repeats.out)"
+grep -q '^  90 % interval  *[-0-9.]* to [0-9.]* m/s$' repeats.out || fail "no interval: $(cat repeats.out)"
 limit whole --repeats 3 > again.out || fail "--repeats again: status $?"
 ! grep '^[1-9][0-9]* shots run' again.out || fail "--repeats again: shots were run"
 diff <(grep '^  ' repeats.out) <(grep '^  ' again.out) || fail "--repeats again: another result"

@@ -43,7 +43,8 @@ run shoot --material my_steel.toml --damage jc --thickness-mm 8 --spacing-mm 2 "
 run materials from-tensile --yield-mpa 276 --uts-mpa 310 --elongation-pct 12 --young-gpa 68.9 \
   --name "AA6061-T651, my plate" --out my_alloy.toml >printed
 compare 6 printed
-core=(--nose ogival --calibre-radius-head 3 --diameter-mm 6.17 --length-mm 27.6 --mass-g 5.25 --projectile rigid)
+core=(--nose ogival --calibre-radius-head 3 --diameter-mm 6.17 --length-mm 27.6 --mass-g 5.25 --projectile rigid
+  --method paper --lattice ring)
 run shoot "${core[@]}" --friction 0.02 --material my_alloy.toml --thickness-mm 12.7 --velocity-mps 600 \
   --spacing-mm 1.4 --sph-radius-mm 9 --clamp-radius-mm 60 "${coarse[@]}" --out core
 # The measured limit is 391 m/s: 600 m/s leave sqrt(600^2 - 391^2) = 455 m/s by Recht and Ipson. Particles of 1.4 mm, a

@@ -119,8 +119,8 @@ rows() {
 
 # is_under_way <shot>: it has a checkpoint and no result
 is_under_way() {
-  [ -e "parts/shots/mjc_weldox_460e_blunt_4mm_$1mps_2mm/checkpoint.bin" ] || return 1
-  [ ! -e "parts/shots/mjc_weldox_460e_blunt_4mm_$1mps_2mm/summary.json" ] || fail "the shot at $1 m/s has ended too early"
+  [ -e "parts/shots/stabilised_mjc_weldox_460e_blunt_4mm_$1mps_2mm/checkpoint.bin" ] || return 1
+  [ ! -e "parts/shots/stabilised_mjc_weldox_460e_blunt_4mm_$1mps_2mm/summary.json" ] || fail "the shot at $1 m/s has ended too early"
 }
 
 # has_ended <task>: Slurm has no such job any more, or one that has ended

@@ -3,6 +3,7 @@
 import contextlib
 import io
 import json
+import math
 import os
 import re
 import subprocess
@@ -19,25 +20,25 @@ sys.path.insert(0, str(SCRIPTS))
 from results import figures, fits, sweeps, tables  # noqa: E402
 from results.checks import Bound, Result, status_of_figure  # noqa: E402
 from results.data import ended_by_time, read_shots, short  # noqa: E402
-from results.page import from_markdown  # noqa: E402
+from results.page import cubic_particles, from_markdown  # noqa: E402
 
 SHOT_HEADER = ("method,model,material,nose,thickness_mm,initial_velocity_mps,spacing_mm,residual_velocity_mps,"
                "perforated,plug_thickness_mm,energy_error,largest_intrusion_mm,particles,steps,wall_s,cpu_s,threads,"
                "state_hash,version")
 SHOTS = [
-    "sfm,mjc,weldox_460e,blunt,12,180,0.6,0,0,0,0.0001,0,25820,900,20.5,20.4,1,aa,0.1.0",
-    "sfm,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820,800,19.5,38.8,2,ab,0.1.0",
-    "sfm,mjc,weldox_460e,blunt,12,303.5,0.6,190,1,11.5,0.007,0,25820,700,10,9.9,1,ac,0.1.0",
+    "paper,mjc,weldox_460e,blunt,12,180,0.6,0,0,0,0.0001,0,25820,900,20.5,20.4,1,aa,0.1.0",
+    "paper,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820,800,19.5,38.8,2,ab,0.1.0",
+    "paper,mjc,weldox_460e,blunt,12,303.5,0.6,190,1,11.5,0.007,0,25820,700,10,9.9,1,ac,0.1.0",
 ]
 LIMITS = """\
 method,model,material,nose,thickness_mm,spacing_mm,highest_stopped_mps,lowest_perforated_mps,bisection_limit_mps,\
 consistent,fit_limit_mps,fit_limit_se_mps,fit_a,fit_a_se,fit_a_origin,fit_p,fit_p_se,fit_p_origin,fit_points,\
 fit_rms_mps,test_limit_mps,paper_velocity_mps
-sfm,mjc,weldox_460e,blunt,12,0.6,180,184,182,1,182.5,,0.84,,held,2,,held,2,1.5,184.5,195
+paper,mjc,weldox_460e,blunt,12,0.6,180,184,182,1,182.5,,0.84,,held,2,,held,2,1.5,184.5,195
 """
 CHECKS = """\
 [defaults]
-method = "sfm"
+method = "paper"
 model = "mjc"
 spacing_mm = 0.6
 widest_bracket_mps = 5
@@ -197,7 +198,7 @@ class Page(Folders):
         self.assertNotIn("<script", text)
         rows = (out / "data" / "shots.csv").read_text().splitlines()
         self.assertEqual(rows[0].split(",")[-1], "particles")
-        self.assertEqual(rows[2], "sfm,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820")
+        self.assertEqual(rows[2], "paper,mjc,weldox_460e,blunt,12,184,0.6,31.25,1,11,0.0002,0,25820")
         self.assertIn("wall_s", (out / "run_record.csv").read_text())
         (self.folder / "figure_6.svg").unlink()
         self.page(self.folder, out)
@@ -210,7 +211,7 @@ class Page(Folders):
         (other / "nose_shapes_limits.csv").write_text(LIMITS)
         (other / "steel_blunt_limits.csv").write_text(LIMITS)
         (other / "shots.1-of-2.csv").write_text("\n".join(
-            [SHOT_HEADER, SHOTS[2].replace(",10,1,", ",77,2,"), SHOTS[0], "sfm,mjc,weldox_460e,bl"]))
+            [SHOT_HEADER, SHOTS[2].replace(",10,1,", ",77,2,"), SHOTS[0], "paper,mjc,weldox_460e,bl"]))
         (other / "shots.2-of-2.csv").write_text("\n".join([SHOT_HEADER, SHOTS[1], SHOTS[0], ""]))
         self.page(other, other / "page")
         for name in ("shots.csv", "limits.csv", "projectiles.csv", "fits.csv"):
@@ -221,7 +222,7 @@ class Page(Folders):
         self.assertEqual(again.stdout, self.accept().stdout)
 
     def test_masses_come_from_the_summaries(self):
-        for name in ("mjc_weldox_460e_blunt_12mm_184mps_0.6mm", "mjc_weldox_460e_blunt_12mm_303.5mps_0.6mm"):
+        for name in ("paper_mjc_weldox_460e_blunt_12mm_184mps_0.6mm", "paper_mjc_weldox_460e_blunt_12mm_303.5mps_0.6mm"):
             (self.folder / "shots" / name).mkdir(parents=True)
             (self.folder / "shots" / name / "summary.json").write_text(
                 '{"nose": "blunt", "spacing_mm": 0.59, "projectile_mass_g": 197.25, "added_mass_g": -1e-14, '
@@ -240,20 +241,30 @@ class Page(Folders):
         self.page(self.folder, page.parent)
         before = page.read_text()
         self.assertNotIn("Beyond the paper", before)
-        ours = [row.replace("sfm,", "adaptive,", 1).replace(",31.25,", ",35,").replace(",38.8,", ",58.2,")
+        ours = [row.replace("paper,", "stabilised,", 1).replace(",31.25,", ",35,").replace(",38.8,", ",58.2,")
                 for row in SHOTS[:2]]
         (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, *SHOTS, *ours, ""]))
-        limit = LIMITS.splitlines()[1].replace("sfm,", "adaptive,", 1).replace(",184.5,", ",180,")
+        limit = LIMITS.splitlines()[1].replace("paper,", "stabilised,", 1).replace(",184.5,", ",180,")
         (self.folder / "steel_blunt_limits.csv").write_text(LIMITS + limit + "\n")
         self.page(self.folder, page.parent)
         after = page.read_text()
         self.assertEqual(re.search("Of 14 figures.*", before)[0], re.search("Of 14 figures.*", after)[0])
         section = after[after.index('<h2 id="beyond">'):after.index('<h2 id="acceptance">')]
-        self.assertRegex(section, r"good..pass.*adaptive_limit_12mm")
-        self.assertRegex(section, r"missing.*adaptive_limit_20mm")
-        self.assertNotIn("stabilised_limit", section)
+        self.assertRegex(section, r"good..pass.*stabilised_limit_12mm")
+        self.assertRegex(section, r"missing.*stabilised_limit_20mm")
         # 20.4 and 58.2 s for the shots that took the paper's method 20.4 and 38.8 s.
-        self.assertIn("adaptive: 1.33 times the processor time", section)
+        self.assertIn("stabilised: 1.33 times the processor time", section)
+
+    def test_particles_that_do_not_lie_on_the_paper_s_lattice_are_told(self):
+        page = self.folder / "page" / "index.html"
+        self.page(self.folder, page.parent)
+        self.assertIn("run on the ring lattice with version 0.1.0:", page.read_text())
+        # `ogive shoot --method paper --spacing-mm 1.2` has as many.
+        self.assertEqual(cubic_particles(12, 1.2), 3160)
+        text = (self.folder / "shots.csv").read_text()
+        (self.folder / "shots.csv").write_text(text.replace(",25820,", f",{cubic_particles(12, 0.6)},"))
+        self.page(self.folder, page.parent)
+        self.assertNotIn("ring lattice", page.read_text().split('<h2 id="scoreboard">')[0])
 
     def test_wrong_input(self):
         self.require_refused(run("page", self.folder, self.folder),
@@ -377,29 +388,61 @@ class Tables(unittest.TestCase):
             "| 8 mm, bonds against zero-energy modes, 0.3 | 180.0 | (84.3) | 59.6 | 22.0 | 0.014 | 0.000 | 2e-15 | 2228 |"])
 
     def test_values_that_are_missing(self):
-        self.leave("adaptive_plates", "6mm_150", initial_velocity_mps=150, residual_velocity_mps=0.0, failed_hexes=26,
-                   distorted_hexes=0, dishing_mm=13.92)
-        self.assertEqual(self.table("adaptive")[-1], "| 6 mm | 150.0 | – | 0.0 | – | 26, 0 | 13.92, – | – | – | – | – |")
+        self.leave("stabilised_6mm", "base", initial_velocity_mps=170, residual_velocity_mps=0.0, failed_particles=26,
+                   dishing_mm=13.92)
+        self.assertEqual(self.table("stabilised")[-1], "| 6 mm, as it is | 170.0 | – | 0.0 | – | 26 | 13.92 | – | – | – |")
 
-    def test_limits(self):
-        for thickness, limit in ((6, 144.5), (12, 153.5)):
-            (self.folder / f"damage_{thickness}mm").mkdir()
-            (self.folder / f"damage_{thickness}mm" / "limits.csv").write_text(
-                "material,damage_softening,damage_length_mm,projectile,clamp_radius_mm,friction,bisection_limit_mps\n"
-                f"/a/boervik_2001.toml,0.6,0.22,deformable,250,0,{limit}\n/a/boervik_2001.toml,0.3,0.6,deformable,250,0,199\n"
-                "weldox_460e,0.6,0.22,rigid,250,0,\n")
-        self.assertEqual(self.table("damage")[-3:], ["| tests | 145.5 | 184.5 | 0.79 |",
-                                                     "| D1 to D5 of Børvik et al. 2001 | 144.5 | 153.5 | 0.94 |",
-                                                     "| the same, Dc 0.3, ℓ 0.6 mm | 199.0 | 199.0 | 1.00 |"])
-        (self.folder / "limits_adaptive_0.45mm").mkdir()
-        (self.folder / "limits_adaptive_0.45mm" / "limits.csv").write_text("thickness_mm,bisection_limit_mps\n6,144.5\n")
-        self.assertEqual(self.table("sizes_adaptive")[6], "| 6 mm | 145.5 | – | – | 143.5 | 144.5 | – | +0.7 % |")
+    def leave_limits(self, folder, *rows):
+        (self.folder / folder).mkdir()
+        (self.folder / folder / "limits.csv").write_text("\n".join([*rows, ""]))
 
-    def test_timing(self):
-        for method, seconds in (("sfm", 10.0), ("adaptive", 7.4)):
-            self.leave(f"timing_{method}", "blunt_6mm", cpu_s=seconds)
-        self.assertEqual(self.table("timing")[-2:], ["| blunt | 6 mm weldox_460e | 200 | 10 | 7 | 0.74 |",
-                                                              "| all |  |  | 10 | 7 | 0.74 |"])
+    def test_limits_beside_those_of_the_paper(self):
+        head = "thickness_mm,highest_stopped_mps,lowest_perforated_mps,bisection_limit_mps"
+        self.leave_limits("limits_paper", head, "6,110,115,112.5", "8,145,,", "12,190,195,192.5")
+        self.leave_limits("limits_paper_standard", head, "12,180,185,182.5")
+        lines = self.table("paper")
+        self.assertEqual([line for line in lines if "mm |" in line], [
+            "| 6 mm | 145.5 | 110 | 112.5 | +2.3 % | -22.7 % |", "| 12 mm | 184.5 | 195 | 192.5 | -1.3 % | +4.3 % |",
+            "| 12 mm | 184.5 | 195 | 182.5 | -6.4 % | -1.1 % |"])
+        self.assertIn("The same with the standard form", lines[-5])
+
+    def test_repeated_limits(self):
+        self.leave_limits("repeats", "thickness_mm,seed,highest_stopped_mps,lowest_perforated_mps,bisection_limit_mps",
+                          "12,0,189.5,190.5,190", "12,2,196.5,197.5,197", "12,1,191.5,192.5,192", "20,0,280,285,282.5")
+        # As in tests/fit/repeated_limit.cpp: mean 193, variance 13, t(0.95, 2) = 2.920.
+        self.assertEqual(self.table("repeats")[-2:], [
+            "| 12 mm | 184.5 | 190.0 | 192.0 | 197.0 | 193.0 | 3.6 | 186.9 to 199.1 | +4.6 % |",
+            "| 20 mm | 293.9 | 282.5 | – | – | – | – | – | – |"])
+        # Brackets that agree leave the interval as wide as they are.
+        mean, deviation, half = tables.repeated_limit([(190, 3), (190, 3)])
+        self.assertEqual((mean, deviation), (190, 0))
+        self.assertAlmostEqual(half, 6.3138 * math.sqrt(3 / 2), places=4)
+
+    def test_limits_in_other_sizes(self):
+        head = "thickness_mm,diameter_mm,spacing_mm,sph_radius_mm,clamp_radius_mm,bisection_limit_mps"
+        self.leave_limits("scale", head, "6,10,0.3,12,125,202", "12,20,0.6,24,250,192.5", "24,40,1.2,48,500,")
+        self.assertEqual(self.table("scale")[-3:], ["| half | 6 | 10 | 0.3 | 202.0 | +4.9 % |",
+                                                    "| that of the tests | 12 | 20 | 0.6 | 192.5 | +0.0 % |",
+                                                    "| double | 24 | 40 | 1.2 | – | – |"])
+        # Only the lengths differ between the cases: the plate's and the projectile's over the particle distance are the same.
+        ratios = {tuple(float(case[key]) / float(case["spacing_mm"]) for key in case if key.endswith("_mm"))
+                  for case in sweeps.cases(tables.TABLES["scale"][1][0].sweeps[0])}
+        self.assertEqual(ratios, {(20, 20 / 0.6, 1, 40, 250 / 0.6)})
+
+    def test_limits_with_other_particles(self):
+        self.leave_limits("limits_stabilised_0.45mm", "thickness_mm,bisection_limit_mps", "6,136")
+        self.assertRegex(self.table("sizes_stabilised")[6],
+                         r"^\| 6 mm \| 145.5 \| – \| – \| [0-9.]+ \| 136.0 \| – \| [-+0-9.]+ % \|$")
+
+    def test_cost(self):
+        record = self.folder / "run_record.csv"
+        record.write_text("method,model,material,nose,thickness_mm,initial_velocity_mps,spacing_mm,cpu_s,version\n" + "".join(
+            f"{method},mjc,weldox_460e,blunt,{thickness},200,0.6,{seconds},0.1.0\n" for method, thickness, seconds in (
+                ("paper", 6, 10), ("stabilised", 6, 25), ("paper", 12, 20), ("stabilised", 12, 20), ("paper", 8, 7))))
+        with mock.patch.object(tables, "PAGE", self.folder):
+            self.assertEqual(self.table("cost")[-3:], [
+                "| blunt | 6 mm weldox_460e | 1 | 10 | 25 | 2.50 |", "| blunt | 12 mm weldox_460e | 1 | 20 | 20 | 1.00 |",
+                "| all |  | 2 | 30 | 45 | 1.50 |"])
 
     def test_no_shot_is_an_error(self):
         done = run("tables", "no_such_table")
@@ -424,7 +467,8 @@ class Tables(unittest.TestCase):
             sweeps.run(tables.TABLES["sensitivity"][1][0].sweeps[0], 2)
         said = (self.folder / "said").read_text().splitlines()
         folder = self.folder / "sensitivity"
-        self.assertEqual(said[0], f"sweep {folder}/cases.csv --jobs 2 --no-vtk --no-picture --out {folder}")
+        self.assertEqual(said[0], f"sweep {folder}/cases.csv --jobs 2 --method paper --lattice ring --no-vtk --no-picture "
+                                  f"--out {folder}")
         self.assertTrue(said[-1].endswith(f",{folder}/floor_100.toml"))
         self.assertEqual((folder / "floor_100.toml").read_text(), 'name = "floor_100"\nrate_floor_per_s = 100\n')
 
@@ -455,30 +499,31 @@ class Figures(unittest.TestCase):
         return folder
 
     def test_pictures_of_the_shots_that_are_there(self):
-        thick = self.leave("adaptive_mjc_weldox_460e_blunt_10mm_180mps_0.6mm", 0, 20, 41.5)
-        thin = self.leave("adaptive_mjc_weldox_460e_blunt_6mm_160mps_0.6mm", 0, 30)
+        thick = self.leave("stabilised_mjc_weldox_460e_blunt_10mm_180mps_0.6mm", 0, 20, 41.5)
+        thin = self.leave("stabilised_mjc_weldox_460e_blunt_6mm_160mps_0.6mm", 0, 30)
         with contextlib.redirect_stdout(io.StringIO()) as said:
-            self.campaign.pictures("adaptive")
+            self.campaign.pictures("stabilised")
         drawn = [list(map(str, command)) for command in self.commands]
         self.assertEqual([Path(command[0]).name for command in drawn], [
-            "figure_7_adaptive.png", "figure_7_temperature_adaptive.png", "figure_7_adaptive.webm", "figure_8_adaptive.png"])
+            "figure_7_stabilised.png", "figure_7_temperature_stabilised.png", "figure_7_stabilised.webm",
+            "figure_8_stabilised.png"])
         self.assertEqual(drawn[0][2:7], ["draw", "--series", str(thick), "--times-us", "0,10,20,30,40"])
         self.assertEqual(drawn[2][2:6], ["draw", "--series", str(thick), "--title"])
         self.assertEqual(drawn[2][7:8], ["--animate"])
         self.assertEqual(drawn[3][2:13], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
                                           "(a) 6 mm, 0 µs", "(a) 6 mm, 15 µs", "(a) 6 mm, 30 µs", "(b) 10 mm, 0 µs"])
-        self.assertIn("figure 14_adaptive is left out: no shot with frames", said.getvalue())
+        self.assertIn("figure 14_stabilised is left out: no shot with frames", said.getvalue())
 
     def test_a_picture_newer_than_its_series_stays(self):
-        self.leave("mjc_aa5083_h116_conical_15mm_214mps_0.6mm", 0, 400)
+        self.leave("paper_mjc_aa5083_h116_conical_15mm_214mps_0.6mm", 0, 400)
         picture = self.folder / "figure_14.png"
         picture.touch()
         self.find_ffmpeg(None)
         for age, commands in ((-100, 1), (100, 1)):
-            series = (self.folder / "shots/mjc_aa5083_h116_conical_15mm_214mps_0.6mm/perforation.pvd").stat().st_mtime
+            series = (self.folder / "shots/paper_mjc_aa5083_h116_conical_15mm_214mps_0.6mm/perforation.pvd").stat().st_mtime
             os.utime(picture, (series + age, series + age))
             with contextlib.redirect_stdout(io.StringIO()):
-                self.campaign.pictures("sfm")
+                self.campaign.pictures("paper")
             self.assertEqual(len(self.commands), commands)
 
     def test_fits_are_made_when_curves_or_program_are_newer(self):

@@ -47,7 +47,7 @@ rows() {
 }
 
 # shot <velocity>: name of its folder
-shot() { echo "mjc_weldox_460e_blunt_4mm_$1mps_2mm"; }
+shot() { echo "stabilised_mjc_weldox_460e_blunt_4mm_$1mps_2mm"; }
 
 sweep whole --jobs 2 > whole.out 2> whole.err || fail "status $?: $(cat whole.err)"
 [ "$(rows whole | wc -l)" -eq 4 ] || fail "rows: $(rows whole)"
