@@ -61,6 +61,7 @@
   extern_ template RunState<double> begin_run(const Model_ &, const RunOptions<double> &);                             \
   extern_ template std::optional<Fault> find_not_finite(const Model_ &);                                               \
   extern_ template std::optional<Fault> find_inverted(const Model_ &, Index);                                          \
+  extern_ template std::optional<Fault> find_turned(const Model_ &);                                                   \
   extern_ template std::optional<Fault> find_fault(const Model_ &, const RunOptions<double> &,                         \
                                                    const RunState<double> &);                                          \
   extern_ template std::optional<Fault> find_small_step(const Model_ &, const RunOptions<double> &,                    \

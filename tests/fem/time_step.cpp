@@ -105,6 +105,89 @@ TEST_CASE("the step of a cube is the dilatation's", "[fem]") {
   CHECK(stable_time_step(s.body, s.nodes) == Approx(0.9 * 0.001 / std::sqrt(3 * K / 7850)).epsilon(1e-12));
 }
 
+namespace {
+
+/// Largest eigenfrequency, 1/s, of a cube that is squeezed along z to a third of its height, by power iteration with the
+/// changes of its own forces.
+double frequency_of_squeezed(Solid<OnePoint> &fresh) {
+  const double dt = 1e-9;
+  auto still = fresh;
+  for (auto &v : still.nodes.velocity) v.setZero();
+  compute_forces(still, dt);
+  Noise noise;
+  std::vector<V> velocity(8);
+  for (auto &v : velocity) v = noise.vector();
+  double omega_squared = 0;
+  for (int iteration = 0; iteration < 300; ++iteration) {
+    auto s = fresh;
+    s.nodes.velocity = velocity;
+    compute_forces(s, dt);
+    double work = 0, norm = 0;
+    for (Index n = 0; n < 8; ++n) {
+      s.nodes.force[n] -= still.nodes.force[n];
+      work -= s.nodes.force[n].dot(velocity[n]) / dt;
+      norm += s.nodes.mass[n] * velocity[n].squaredNorm();
+    }
+    omega_squared = work / norm;
+    for (Index n = 0; n < 8; ++n) velocity[n] = -s.nodes.force[n] / (s.nodes.mass[n] * dt * omega_squared);
+  }
+  return std::sqrt(omega_squared);
+}
+
+} // namespace
+
+TEST_CASE("a hex that is squeezed to a third has the step of its compressed metal", "[fem]") {
+  auto metal = steel<double>();
+  metal.eos.law = GENERATE(PressureLaw::linear, PressureLaw::mie_gruneisen);
+  metal.eos.hugoniot_slope = 1, metal.eos.gruneisen = 1.5;
+  auto s = solid<OnePoint>(brick<double>(1, 1, 1, V::Constant(1)), inviscid<double>(), metal);
+  for (auto &x : s.nodes.position) x[2] /= 3;
+  s.body.points.density[0] *= 3;
+  const double K = bulk_modulus(metal.elasticity);
+  s.body.points.pressure[0] = pressure<double, double>(metal.eos, K, 2.0, 0.0);
+  s.body.points.internal_energy[0] = 0;
+  const double limit = 2 / frequency_of_squeezed(s), step = stable_time_step(s.body, s.nodes);
+  CHECK(step < limit);
+  // 0.9 of a bound that is a few percent above the eigenfrequency.
+  CHECK(step > 0.8 * limit);
+  // With the modulus of the undeformed metal it would be too long.
+  auto undeformed = s;
+  undeformed.body.points.density[0] = metal.density, undeformed.body.points.pressure[0] = 0;
+  CHECK(stable_time_step(undeformed.body, undeformed.nodes) > 1.2 * limit);
+}
+
+TEST_CASE("the modulus of compressed metal is the slope of its pressure at constant entropy", "[fem]") {
+  const double K = 170e9, step = 1e-6;
+  for (const auto law : {PressureLaw::linear, PressureLaw::mie_gruneisen})
+    for (const double mu : {0.0, 0.05, 0.3, 1.0}) {
+      const EquationOfState<double> eos{law, 1.49, 1.93};
+      const double energy = 1e9, p = pressure<double, double>(eos, K, mu, energy);
+      // dE = p drho rho0/rho^2 in J per reference volume; rho dp/drho = (1 + mu) dp/dmu.
+      const double later = pressure<double, double>(eos, K, mu + step, energy + p * step / ((1 + mu) * (1 + mu)));
+      // First order differences.
+      CHECK(tangent_bulk_modulus<double, double>(eos, K, mu, p) == Approx((1 + mu) * (later - p) / step).epsilon(1e-4));
+    }
+  CHECK(tangent_bulk_modulus<double, double>({}, K, -0.1, -0.1 * K) == K);
+}
+
+TEST_CASE("the damping of a hex that is squeezed fast bounds the slope of its viscous force", "[fem]") {
+  auto s = solid<OnePoint>(brick<double>(1, 1, 1, V::Constant(1)), {0.1, 0, 0.06, 1.5});
+  const auto force_at = [&](double rate) {
+    for (Index n = 0; n < 8; ++n) s.nodes.velocity[n] = -rate * (s.nodes.position[n] - V::Constant(0.5));
+    compute_forces(s, 0.0);
+    return s.nodes.force;
+  };
+  const double rate = 1000; // 3000 m/s over the edge, 0.6 of the sound speed
+  const auto before = force_at(rate), after = force_at(rate * (1 + 1e-6));
+  double power = 0, norm = 0;
+  for (Index n = 0; n < 8; ++n) {
+    const V more = -rate * 1e-6 * (s.nodes.position[n] - V::Constant(0.5));
+    power -= (after[n] - before[n]).dot(more), norm += s.nodes.mass[n] * more.squaredNorm();
+  }
+  // For the dilatation of a cube the bound is exact, up to the difference quotient.
+  CHECK(fastest_motion<OnePoint>(s.body, s.nodes, 0).damping == Approx(power / norm).epsilon(1e-4));
+}
+
 TEST_CASE("no step strains one of several points by more than a tenth", "[fem]") {
   auto several = solid<SelectiveReduced>(brick<double>(2, 1, 1, V(0.002, 0.001, 0.001)));
   auto one = solid<OnePoint>(brick<double>(2, 1, 1, V(0.002, 0.001, 0.001)));

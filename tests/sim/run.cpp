@@ -131,6 +131,33 @@ TEST_CASE("an inverted hex stops the run", "[sim]") {
   CHECK(last == model.time);
 }
 
+TEST_CASE("a facet that turns inside out stops the run", "[sim]") {
+  Nodes<double> nodes;
+  const auto mesh = brick_at(1, 1, 2, V(1e-3, 1e-3, 2e-3), V::Zero());
+  auto target = add_hex_body(nodes, mesh, fem_test::steel<double>(), "target");
+  auto block = add_sph_body(nodes, lattice(1, 1, 1, spacing, V(0, 0, 5e-3)), fem_test::steel<double>(), "block");
+  auto contact =
+      make_contact(nodes, {block.nodes.begin}, {0.5 * spacing}, boundary_facets(mesh), "block on target");
+  auto model = model_of(std::move(nodes), std::move(target), std::move(block));
+  model.contacts.push_back(std::move(contact));
+  CHECK_FALSE(find_turned(model));
+  // The upper face is mirrored in its diagonal and shrinks: the hex keeps some of its volume.
+  const auto hex = std::get<0>(model.bodies).hexes[1];
+  const V middle(0.5e-3, 0.5e-3, 2e-3);
+  std::swap(model.nodes.position[hex[5]], model.nodes.position[hex[7]]);
+  for (int a = 4; a < 8; ++a) model.nodes.position[hex[a]] = middle + 0.5 * (model.nodes.position[hex[a]] - middle);
+  REQUIRE(hex_volume<double>(gather_corners(model.nodes.position, hex)) > 0);
+  CHECK_FALSE(find_inverted(model));
+  const RunOptions<double> options;
+  const auto fault = find_fault(model, options, begin_run(model, options));
+  REQUIRE(fault);
+  CHECK(fault->kind == FaultKind::inverted);
+  CHECK(fault->what == "a facet of the contact \"block on target\" has turned inside out, its hex has folded: at (0.5, "
+                       "0.5, 2) mm");
+  CHECK(fault->body == "target");
+  CHECK(fault->id == 1);
+}
+
 TEST_CASE("a hex that is inverted at one of its points only stops the run", "[sim]") {
   Nodes<double> nodes;
   auto brick = add_hex_body<SelectiveReduced>(nodes, brick_at(2, 2, 2, V::Constant(2e-3), V::Zero()),

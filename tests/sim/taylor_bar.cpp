@@ -22,6 +22,8 @@ void check_rod(const Rod &rod, double margin) {
   for (std::size_t k = 1; k < rod.radii.size(); ++k) CHECK(rod.radii[k] < rod.radii[k - 1] * 1.005);
   CHECK(rod.radii.back() < 1.05 * c.radius); // the tail has hardly yielded
   CHECK(rod.error < 0.01);
+  CHECK(rod.least_hourglass >= 0);
+  CHECK_FALSE(rod.turned);
   // It has come to rest: what is left is elastic vibration and a slow rebound.
   CHECK(rod.kinetic < 0.02);
 }
@@ -29,7 +31,26 @@ void check_rod(const Rod &rod, double margin) {
 } // namespace
 
 TEMPLATE_TEST_CASE("a Taylor bar of hexes mushrooms as published", "[sim]", OnePoint, SelectiveReduced) {
-  check_rod(rod_of_hexes<TestType>(copper_rod(), 0.8e-3), 0.04);
+  check_rod(rod_of_hexes<TestType>(copper_rod(), 0.8e-3), 0.015);
+}
+
+TEST_CASE("a Taylor bar that meets the wall by contact mushrooms alike", "[sim]") {
+  check_rod(rod_of_hexes<OnePoint>(copper_rod(), 0.8e-3, Foot::touches), 0.02);
+}
+
+TEST_CASE("a Taylor bar that mushrooms heavily keeps its surface and its energy", "[sim]") {
+  auto c = copper_rod();
+  c.speed = 350;
+  const Rod rod = rod_of_hexes<OnePoint>(c, 0.8e-3, Foot::touches);
+  REQUIRE(rod.finished);
+  CHECK_FALSE(rod.turned);
+  CHECK(rod.error < 0.01);
+  CHECK(rod.least_hourglass >= 0);
+  // A uniform compression by ln(L0/L) would take the energy at 400 MPa e + 50 MPa e^2 = rho v^2/2, e = 1.18: 10 mm. The
+  // rod spreads at the foot and stays longer; that its foot is more than twice as wide as the rod is what mushrooms.
+  CHECK(rod.length > 10e-3);
+  CHECK(rod.length < 16e-3);
+  CHECK(rod.widest > 2.5 * c.radius);
 }
 
 TEST_CASE("a Taylor bar of particles mushrooms as published", "[sim]") {
@@ -55,7 +76,7 @@ template <class Law> TaylorCase<Law> user_built_rod(const Law &law) {
 template <class Law> void check_user_built(const Law &law) {
   auto c = user_built_rod(law);
   const Rod isothermal = rod_of_hexes<OnePoint>(c, 0.8e-3);
-  check_rod(isothermal, 0.04);
+  check_rod(isothermal, 0.015);
   c.metal.specific_heat = 385;
   const Rod heated = rod_of_hexes<OnePoint>(c, 0.8e-3);
   REQUIRE(heated.finished);

@@ -39,7 +39,6 @@ template <class T> struct HexOptions {
   T hourglass_viscosity = T(0);        ///< fraction of the element's acoustic impedance
   T linear_bulk_viscosity = T(0.06);   ///< in compression only
   T quadratic_bulk_viscosity = T(1.5); ///< in compression only
-  T hourglass_while_flowing = T(1);    ///< factor of the hourglass stiffness while the hex flows
 };
 
 /// For each node of a body, the element corners that meet there: `corners[begin[n]]` to `corners[begin[n + 1]]` of the
@@ -144,7 +143,6 @@ HexBody<T, Law, Rule> add_hex_body(Nodes<T> &nodes, const HexMesh<T> &mesh, cons
     require(value >= T(0) && std::isfinite(value), name + " " + thing, value, "must not be negative");
   };
   not_negative(options.hourglass_stiffness, "hourglass stiffness");
-  not_negative(options.hourglass_while_flowing, "hourglass stiffness while flowing");
   not_negative(options.hourglass_viscosity, "hourglass viscosity");
   not_negative(options.linear_bulk_viscosity, "linear bulk viscosity");
   not_negative(options.quadratic_bulk_viscosity, "quadratic bulk viscosity");

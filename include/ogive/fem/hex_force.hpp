@@ -113,9 +113,30 @@ HourglassModes<Pack<T>> hourglass_forces_of(const HexBody<T, Law, Rule> &body, I
   return force;
 }
 
+/// The hourglass forces (N) that the metal of a pack of hexes bears, of those that it would have if it stayed elastic in
+/// the step `dt` (s): see the head of hourglass.hpp. Read after the stress of the step's end. For hexes of one point.
+template <class T, class Law, class Rule>
+HourglassModes<Pack<T>> yielded_hourglass(const HexBody<T, Law, Rule> &body, Index pack,
+                                          const HourglassModes<Pack<T>> &trial, T dt) {
+  using P = Pack<T>;
+  const auto of = [&](const std::vector<T> &field) {
+    return pack_of<T>([&](Index l) { return field[hex_in(body, pack, l)]; });
+  };
+  const MaterialPoint<P> point = load_points(body.points, [&](Index l) { return hex_in(body, pack, l); });
+  const auto flows = point.plastic_strain_rate > P(0);
+  const P stress = von_mises(point.deviator), still = of(body.points.quasi_static_yield);
+  const P flow_stress = select(flows, stress, still);
+  const P relaxing = P(T(3) * shear_modulus(body.metal.elasticity) * dt) * point.plastic_strain_rate;
+  const P returned = select(flows, stress / (stress + relaxing), P(1));
+  const P strength = T(hourglass_strength) * flow_stress;
+  const P squared = returned * returned * hourglass_stress_squared<P>(body.mean_gradient[pack], trial);
+  const P bound = select(squared > strength * strength, strength / sqrt(squared), P(1));
+  return P(returned * bound) * trial;
+}
+
 /// Moves the generalised hourglass forces of a pack of hexes through the step `dt` (s) and returns those that act at
-/// its end, N. They turn with the material and vanish when it fails; their work is added to the hexes' hourglass
-/// energy. For hexes of one point.
+/// its end, N. They turn with the material, yield with it and vanish when it fails; their work is added to the hexes'
+/// hourglass energy. For hexes of one point.
 template <class T, class Law, class Rule>
 HourglassModes<Pack<T>> update_hourglass(HexBody<T, Law, Rule> &body, Index pack, const Mat3<Pack<T>> &L,
                                          Pack<T> density, Pack<T> gradient_norm, T dt) {
@@ -128,12 +149,8 @@ HourglassModes<Pack<T>> update_hourglass(HexBody<T, Law, Rule> &body, Index pack
   const T modulus = p_wave_modulus(body.metal.elasticity);
   const Mat3<P> R = spin_rotation<P>(midstep_gradient<P>(L, P(dt)), P(dt));
   const Forces turned = R * hourglass_forces_of(body, pack);
-  P step(dt);
-  if (options.hourglass_while_flowing != T(1))
-    step *= pack_of<T>([&](Index l) {
-      return body.points.plastic_strain_rate[hex_in(body, pack, l)] > T(0) ? options.hourglass_while_flowing : T(1);
-    });
-  Forces force = turned + step * hourglass_force_rate<P>(mean, options.hourglass_stiffness * modulus, rate);
+  const Forces trial = turned + P(dt) * hourglass_force_rate<P>(mean, options.hourglass_stiffness * modulus, rate);
+  Forces force = yielded_hourglass<T>(body, pack, trial, dt);
   if (body.metal.damage.effect != FailureEffect::none)
     for (int k = 0; k < 12; ++k)
       force.data()[k] =

@@ -15,7 +15,7 @@
 /// s_max its largest eigenvalue: the strains of the corner motions b_a (x) g span all that stress resists. For equal
 /// masses (rho V/8) this is (8/rho) [...] of S = sum_a b_a b_a^T. The bound is exact for a flat hex, 2 c/thickness,
 /// and for a cube, whose stiffest mode is the dilatation (3 K instead of lambda + 2 mu: 0.71 times the step edge/c at
-/// Poisson's ratio 0.33).
+/// Poisson's ratio 0.33). lambda is that of the present density: compressed metal is stiffer.
 ///
 /// In a mesh the sound neighbours of a thin hex carry part of its nodes. With e running over the hexes at a node n
 ///   u.K u = sum_e u_e.K_e u_e <= sum_e omega_e^2 sum_a m_ea |u_a|^2 = sum_n |u_n|^2 sum_e m_en omega_e^2,
@@ -63,22 +63,32 @@ template <class N> struct FastestMotion {
   N damping{};       ///< 2 zeta omega of bulk and hourglass viscosity, 1/s
 };
 
-/// The fastest motion of a hex with the corners `x` (m), the inverse masses there (1/kg), the density (kg/m3) and the
-/// dilatation rate (1/s) of its first point; `Chosen` is the rule. With SelectiveReduced the deviatoric part is bounded
+/// Density, pressure and dilatation rate of the first point of a hex. `N` is T or a pack of T.
+template <class N> struct Compression {
+  N density{};    ///< kg/m3
+  N pressure{};   ///< Pa
+  N dilatation{}; ///< rate, 1/s
+};
+
+/// The fastest motion of a hex with the corners `x` (m), the inverse masses there (1/kg) and the state `now` of its
+/// first point; `Chosen` is the rule. With SelectiveReduced the deviatoric part is bounded
 /// point by point: sum_p 2 mu s_max,p + K tr S.
 template <class Chosen, class T, class N, class Law, class Rule>
 FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners<N> &x,
-                                const CornerWeights<N> &inverse_mass, N density, N dilatation) {
+                                const CornerWeights<N> &inverse_mass, const Compression<N> &now) {
   using std::max;
   const Elasticity<T> &elastic = body.metal.elasticity;
-  const T mu = shear_modulus(elastic), bulk = bulk_modulus(elastic), lambda = bulk - T(2) / T(3) * mu;
+  const T mu = shear_modulus(elastic);
+  const N bulk = tangent_bulk_modulus<T, N>(body.metal.eos, bulk_modulus(elastic),
+                                            now.density / body.metal.density - T(1), now.pressure);
+  const N lambda = bulk - T(2) / T(3) * mu;
   const T c = sound_speed(body.metal);
   const MeanGradient<N> mean = mean_gradient<N>(x);
   Sym3<N> S = gradient_moment<N>(corner_integrals<N>(mean), inverse_mass);
   S *= N(1) / mean.volume;
   FastestMotion<N> motion;
   if constexpr (Chosen::points == 1) {
-    motion.omega_squared = T(2) * mu * largest_eigenvalue_bound<T>(S) + std::max(lambda, T(0)) * trace(S);
+    motion.omega_squared = T(2) * mu * largest_eigenvalue_bound<T>(S) + max(lambda, N(0)) * trace(S);
   } else {
     const auto of_point = [&](int p) {
       const PointGradient<N> point = point_gradient<N>(x, p);
@@ -92,14 +102,15 @@ FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners
   }
 
   const HexOptions<T> &options = body.options;
-  const N norm = gradient_norm<N>(mean), length = viscous_length<N>(norm), closing = max(-dilatation, N(0));
-  motion.damping = density * length * trace(S) *
-                   (options.linear_bulk_viscosity * c + options.quadratic_bulk_viscosity * length * closing);
+  const N norm = gradient_norm<N>(mean), length = viscous_length<N>(norm), closing = max(-now.dilatation, N(0));
+  // The slope of bulk_viscosity() over the dilatation rate.
+  motion.damping = now.density * length * trace(S) *
+                   (options.linear_bulk_viscosity * c + T(2) * options.quadratic_bulk_viscosity * length * closing);
   if constexpr (Chosen::points == 1) {
     N most = inverse_mass[0];
     for (int a = 1; a < 8; ++a) most = max(most, inverse_mass[a]);
-    motion.damping += most * hourglass_damping<T, N>(options.hourglass_viscosity, p_wave_modulus(elastic), density,
-                                                     mean.volume, norm);
+    motion.damping += most * hourglass_damping<T, N>(options.hourglass_viscosity, p_wave_modulus(elastic),
+                                                     now.density, mean.volume, norm);
   }
   return motion;
 }
@@ -110,8 +121,9 @@ FastestMotion<T> fastest_motion(const HexBody<T, Law, Rule> &body, const Nodes<T
   CornerWeights<T> inverse_mass;
   for (int a = 0; a < 8; ++a) inverse_mass[a] = T(1) / body.corner_mass[e][a];
   const Index i = e * Chosen::points;
-  return fastest_motion<Chosen, T, T>(body, gather_corners(nodes.position, body.hexes[e]), inverse_mass,
-                                      body.points.density[i], body.points.velocity_gradient[i].trace());
+  return fastest_motion<Chosen, T, T>(
+      body, gather_corners(nodes.position, body.hexes[e]), inverse_mass,
+      {body.points.density[i], body.points.pressure[i], body.points.velocity_gradient[i].trace()});
 }
 
 /// The fastest motions of a pack of hexes at the latest positions; without meaning for removed ones. `Chosen` is the
@@ -125,8 +137,9 @@ FastestMotion<Pack<T>> fastest_motions(const HexBody<T, Law, Rule> &body, const 
   const auto point = [&](Index l) { return hex_in(body, pack, l) * Chosen::points; };
   return fastest_motion<Chosen, T, P>(
       body, corner_positions(body, nodes, pack), inverse_mass,
-      pack_of<T>([&](Index l) { return body.points.density[point(l)]; }),
-      pack_of<T>([&](Index l) { return body.points.velocity_gradient[point(l)].trace(); }));
+      {pack_of<T>([&](Index l) { return body.points.density[point(l)]; }),
+       pack_of<T>([&](Index l) { return body.points.pressure[point(l)]; }),
+       pack_of<T>([&](Index l) { return body.points.velocity_gradient[point(l)].trace(); })});
 }
 
 /// The stable step of a motion, s: hex_courant times (2/omega) (sqrt(1 + zeta^2) - zeta).

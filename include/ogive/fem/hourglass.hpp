@@ -22,6 +22,17 @@
 ///   K = 3/8 stiffness (lambda + 2 mu) V [g_xi (x) g_xi + g_eta (x) g_eta + (|g_xi|^2 + |g_eta|^2)/2 n (x) n],
 /// g_xi = grad xi, n the unit normal to both, and xi eta zeta the sum of g (x) g. Any brick then has 1.33 times the
 /// true bending stiffness, a cube the k above.
+///
+/// The resistance yields with the metal: it is the stress that varies within the hex, and that stress flows as the mean
+/// does. Two things follow from the flow rule of Prandtl and Reuss, without a constant of its own.
+/// 1. Where the mean stress flows, stresses beside it are carried away: in a step in which the return map takes the
+///    mean trial stress back by the factor r = sigma/(sigma + 3 G d(eps_p)), it takes the hourglass forces back by the
+///    same r. At a steady rate they are those of a viscosity, Q = K q' sigma/(3 G eps_p'), the first-order variation of
+///    the flow stress with the direction of flow.
+/// 2. Where the mean does not flow, a hex that is bent yields at the plastic moment. The root mean square of the
+///    equivalent stress of a beam's bending is h = sqrt(24) |Q|/(V |g|), and at the plastic moment, Q = sigma V |g|/(2
+///    sqrt(8)), it is sqrt(3)/2 sigma. For all modes together h^2 = 24 |Q|^2/V^2 in the norm of the stored energy, and h
+///    is at most sqrt(3)/2 times the flow stress.
 
 namespace ogive {
 
@@ -65,6 +76,26 @@ HourglassModes<T> hourglass_force_rate(const MeanGradient<T> &mean, T modulus, c
   }
   force.col(3) = scale * (g * along.col(3));
   return force;
+}
+
+/// Largest equivalent stress of hourglass forces over the flow stress: sqrt(3)/2, that of the plastic moment.
+inline constexpr double hourglass_strength = 0.5 * std::numbers::sqrt3;
+
+/// The square of the root mean square over the hex of the equivalent stress that the generalised hourglass forces Q (N)
+/// are, Pa^2: 24 Q K^-1 Q/V^2 with K of hourglass_force_rate() for 3/8 modulus V = 1. `T` is a number or a pack.
+template <class T> T hourglass_stress_squared(const MeanGradient<T> &mean, const HourglassModes<T> &Q) {
+  const Mat3<T> g = T(T(8) / mean.volume) * mean.integral.template topRows<3>().transpose();
+  const Mat3<T> dual = inverse<T>(g); // row k: 1 along g_k, 0 along the others
+  const Eigen::Matrix<T, 3, 4> parts = dual * Q;
+  T sum = parts.col(3).squaredNorm();
+  for (int m = 0; m < 3; ++m) {
+    const int i = (m + 1) % 3, j = (m + 2) % 3;
+    const Vec3<T> gi = g.col(i), gj = g.col(j), normal = cross<T>(gi, gj);
+    const T out_of_plane = normal.dot(Q.col(m)), along = out_of_plane / normal.squaredNorm();
+    const T a = parts(i, m) - along * dual.row(i).dot(normal), b = parts(j, m) - along * dual.row(j).dot(normal);
+    sum += a * a + b * b + out_of_plane * along / (T(0.5) * (gi.squaredNorm() + gj.squaredNorm()));
+  }
+  return T(24) * sum / (mean.volume * mean.volume);
 }
 
 /// Viscosity (N s/m) of a unit mode: viscosity sqrt((lambda + 2 mu) rho V^2 sum |b|^2 / 8), `viscosity` the fraction of

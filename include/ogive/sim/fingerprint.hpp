@@ -78,7 +78,7 @@ template <class T, class Law, class Rule> void add_body(Fingerprint &print, cons
   add_name_and_metal(print, body);
   print.add(body.hexes), print.add(body.points.size());
   const HexOptions<T> &o = body.options;
-  for (const T number : {o.hourglass_stiffness, o.hourglass_while_flowing, o.hourglass_viscosity,
+  for (const T number : {o.hourglass_stiffness, o.hourglass_viscosity,
                          o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
     print.add(number);
 }

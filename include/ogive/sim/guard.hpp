@@ -112,6 +112,50 @@ std::optional<Fault> find_inverted(const Model<T, Bodies> &model, Index least_po
   return fault;
 }
 
+/// The place of the first facet of a contact that has turned inside out in the list of its facets, or -1: its area
+/// points into the hex of `body` that it is a face of. Facets of removed hexes may have any shape.
+template <class T, class Law, class Rule>
+Index first_turned(const NodeToSurface<T> &contact, const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes) {
+  const Index count = static_cast<Index>(contact.facets.size());
+  const Index first = parallel_min(count, count, [&](Index f) {
+    const Facet &facet = contact.facets[f];
+    if (facet.nodes[0] < body.nodes.begin || facet.nodes[0] >= body.nodes.end || is_removed(body, facet.hex))
+      return count;
+    const auto at = [&](int k) -> const Vec3<T> & { return nodes.position[facet.nodes[k]]; };
+    const Vec3<T> area = cross<T>(at(2) - at(0), at(3) - at(1));
+    const Vec3<T> middle = T(0.25) * (at(0) + at(1) + at(2) + at(3));
+    const Vec3<T> inside = gather_corners(nodes.position, body.hexes[facet.hex]).colwise().mean().transpose();
+    return area.dot(middle - inside) > T(0) ? count : f;
+  });
+  return first == count ? -1 : first;
+}
+
+/// None: particles have no facets.
+template <class T, class Law, class K, class F>
+Index first_turned(const NodeToSurface<T> &, const SphBody<T, Law, K, F> &, const Nodes<T> &) {
+  return -1;
+}
+
+/// A facet of a contact that has turned inside out, if any: the hex behind it has folded, and the surface has no outside
+/// there.
+template <class T, class Bodies> std::optional<Fault> find_turned(const Model<T, Bodies> &model) {
+  std::optional<Fault> fault;
+  for (const auto &contact : model.contacts) {
+    for_each_body(model, [&](const auto &body) {
+      const Index f = fault ? -1 : first_turned(contact, body, model.nodes);
+      if (f < 0) return;
+      const Facet &facet = contact.facets[f];
+      Vec3<T> middle = Vec3<T>::Zero();
+      for (const Index n : facet.nodes) middle += T(0.25) * model.nodes.position[n];
+      fault = Fault{FaultKind::inverted,
+                    "a facet of the contact \"" + contact.name + "\" has turned inside out, its hex has folded: at " +
+                        in_mm(middle),
+                    body.name, facet.hex, double(model.time) * 1e6};
+    });
+  }
+  return fault;
+}
+
 /// A slave that contact has lost behind its surface, or a particle deep in another body, if any: one through the
 /// projectile or from one plate into the next.
 template <class T, class Bodies> std::optional<Fault> find_lost(const Model<T, Bodies> &model) {

@@ -87,6 +87,7 @@ template <class T, class Bodies>
 std::optional<Fault> find_fault(const Model<T, Bodies> &model, const RunOptions<T> &options, const RunState<T> &state) {
   if (auto fault = find_not_finite(model)) return fault;
   if (auto fault = find_inverted(model)) return fault;
+  if (auto fault = find_turned(model)) return fault;
   if (auto fault = find_lost(model)) return fault;
   return find_astray(model, state.start, options.domain_ratio);
 }
