@@ -113,7 +113,7 @@ double default_end_us(const Options &o) {
   const bool blunt = o.nose == Nose::blunt || o.nose == Nose::chisel;
   const double passage_us = (o.length_mm + target_depth_mm(o)) / o.velocity_mps * 1e3;
   const double least_us = (blunt ? 500 : 1500) * std::max(1.0, o.diameter_mm / 20);
-  return std::clamp(10 * std::ceil((blunt ? 3 : 6) * passage_us / 10), least_us, 100000.0);
+  return std::clamp(10 * std::ceil((blunt ? 3 : 6) * passage_us / 10), least_us, longest_us);
 }
 
 void take_defaults(Options &o, const options::Origins &origins) {

@@ -216,17 +216,17 @@ void add_run(Table &t, Options &o) {
   t.group = run_group;
   add(t, o.end_us, {.key = "end_us", .meaning = "time at which the run ends",
       .source = "three passages of the projectile at its "
-      "initial velocity, six unless blunt, at least 500 or 1500 us times diameter/20 mm; most runs end by themselves: ours", .limits = {1, 100000, "us"}});
+      "initial velocity, six unless blunt, at least 500 or 1500 us times diameter/20 mm; most runs end by themselves: ours", .limits = {1, longest_us, "us"}});
   add(t, o.settle_us, {.key = "settle_us", .meaning = "time to continue once the shot is decided: the plate "
-      "swings, dishing_at_rest_mm is its mean over that time", .source = "0: none", .limits = {0, 100000, "us"}});
+      "swings, dishing_at_rest_mm is its mean over that time", .source = "0: none", .limits = {0, longest_us, "us"}});
   add(t, o.out, {.key = "out", .meaning = "folder for the results",
       .source = "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps and every option that differs from its "
       "default: ours", .brief = "folder for the results"});
   add(t, o.output_every_us, {.key = "output_every_us", .meaning = "time between two frames", .source = "ours",
-      .limits = {0.5, 100000, "us"}});
+      .limits = {0.5, longest_us, "us"}});
   add(t, o.checkpoint_every_us, {.key = "checkpoint_every_us",
       .meaning = "time between two checkpoints, from which --restart resumes; 0: one every 15 minutes of work. "
-      "Ctrl-C (SIGINT), SIGTERM and SIGHUP write one in any case", .source = "ours", .limits = {0, 100000, "us"}});
+      "Ctrl-C (SIGINT), SIGTERM and SIGHUP write one in any case", .source = "ours", .limits = {0, longest_us, "us"}});
   add(t, o.vtk, {.key = "vtk", .meaning = "write VTK files", .source = "ours"});
   add(t, o.picture, {.key = "picture", .meaning = "draw the section picture", .source = "ours"});
   add(t, o.quiet, {.key = "quiet", .meaning = "no progress on the terminal", .source = "ours"});

@@ -145,6 +145,14 @@ std::optional<double> next_velocity(const Series &series, const std::vector<Row>
   return ogive::next_velocity(tried, series.guess_mps, width_mps, 1, expected);
 }
 
+Case with_more_time(Case shot, const Row &row) {
+  const double usual_us = default_end_us(shot.options), longest_us = std::min(8 * usual_us, shot::longest_us);
+  if (shot.options.end_us != usual_us) return shot;
+  while (is_final(row, shot) && shot.options.end_us < longest_us)
+    shot.options.end_us = std::min(2 * shot.options.end_us, longest_us);
+  return shot;
+}
+
 Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report) {
   const auto before = read_all_rows(study.out, study.own_columns);
   Outcome all;
@@ -161,6 +169,7 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
         std::count_if(before.begin(), before.end(), [&](const Row &row) { return series_key(row.key) == one.key; }));
   }
   std::vector<std::optional<Key>> last(own.size());
+  std::vector<double> given_us(own.size(), 0); // of the last shot
   std::vector<bool> ended(own.size(), false);
   const auto end = [&](std::size_t k, const std::string &reason) {
     ended[k] = true;
@@ -180,14 +189,16 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
         continue;
       }
       const Row *row = find_row(rows, shot.key);
-      if (row != nullptr && is_undecided(*row) && last[k] == shot.key) {
-        // With more time than its row has had it is running.
-        if (!is_final(*row, shot)) continue;
-        end(k, shot.name + ": undecided at " + ogive::shortest(number(*row, "simulated_us")) +
-                   " us; a later --end-us decides it");
-        continue;
+      if (row != nullptr && is_undecided(*row)) {
+        const double had_us = number(*row, "simulated_us");
+        if (last[k] == shot.key && had_us < given_us[k] * (1 - 1e-9)) continue; // it is running again
+        shot = with_more_time(shot, *row);
+        if (is_final(*row, shot)) {
+          end(k, shot.name + ": undecided at " + ogive::shortest(had_us) + " us; a later --end-us decides it");
+          continue;
+        }
       }
-      last[k] = shot.key;
+      last[k] = shot.key, given_us[k] = shot.options.end_us;
       return shot;
     }
     return std::nullopt;

@@ -72,9 +72,13 @@ std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows,
 /// of the curve through the residual velocities.
 std::optional<double> next_velocity(const Series &series, const std::vector<Row> &rows, double width_mps);
 
+/// The shot with twice the time that its undecided row has had, up to eight times the default; as it is if its time is
+/// not the default.
+Case with_more_time(Case shot, const Row &row);
+
 /// Bisects the limits of all series, those of different series at the same time. A series ends with a shot that fails
-/// and is left out if its rows are of another case. Its shots that are there before count as known. Throws as
-/// run_cases().
+/// and is left out if its rows are of another case. Its shots that are there before count as known; one that the default
+/// time has left undecided gets more, see with_more_time(). Throws as run_cases().
 Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report);
 
 /// The limits that rows give.

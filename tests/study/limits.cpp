@@ -80,6 +80,24 @@ TEST_CASE("A search begins beside the limit that twice the particle distance has
   }
 }
 
+TEST_CASE("A shot that the default time leaves undecided gets more, a shot with a time of its own does not") {
+  const Case shot = shot_of(series_with({}), 200, {});
+  Row row = row_at(series_with({}), 200, 190);
+  const auto &columns = result_columns();
+  const auto set = [&](const char *column, const std::string &text) {
+    row.results[static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin())] = text;
+  };
+  set("perforated", ""), set("residual_velocity_mps", "");
+  const double usual_us = shot.options.end_us;
+  for (const auto &[had, next] : {std::pair{1.0, 2.0}, {2.0, 4.0}, {3.9, 4.0}, {4.0, 8.0}, {8.0, 8.0}}) {
+    set("simulated_us", ogive::shortest(had * usual_us));
+    CHECK(with_more_time(shot, row).options.end_us == next * usual_us);
+  }
+  Case own = shot;
+  own.options.end_us = 0.5 * usual_us;
+  CHECK(with_more_time(own, row).options.end_us == own.options.end_us);
+}
+
 TEST_CASE("Nothing is published of plates and projectiles that were not tested") {
   for (const Pairs &other : std::vector<Pairs>{{{"nose", "conical"}, {"thickness_mm", "15"}},
                                                {{"thickness_mm", "13"}},
