@@ -16,15 +16,8 @@ from markupsafe import Markup
 from . import data
 from .checks import BEYOND, CHECKS, FACTS, run_checks, status_of_figure, summary
 from .data import (KEY_COLUMNS, LAWS, PROGRAMS, RECORD_COLUMNS, ROOT, InputError, close, csv_text, ended_by_time,
-                   half_width_mps, of_plate, percent_of, plate_of, short, stale_limits, write_text)
+                   half_width_mps, is_on_rings, of_plate, percent_of, plate_of, short, stale_limits, write_text)
 from .kinds import shot_text
-
-
-def cubic_particles(thickness_mm, spacing_mm, radius_mm=24):
-    """Particles of a quarter disc on the cubic lattice: those of cubic_disc in include/ogive/sph/layout.hpp."""
-    layers = max(1, int(thickness_mm / spacing_mm + 0.5))
-    reach = radius_mm * layers / thickness_mm
-    return layers * sum((i + 0.5)**2 + (j + 0.5)**2 < reach**2 for i in range(int(reach) + 1) for j in range(int(reach) + 1))
 
 
 class Table(NamedTuple):
@@ -60,8 +53,7 @@ class Page:
 
     def on_rings(self):
         """The versions of the paper's shots whose particles lie on rings instead of the paper's cubic lattice."""
-        return sorted({s.get("version") or "unknown" for s in self.results.shots if s["method"] == "paper" and s.get("particles")
-                       and s["particles"] != cubic_particles(s["thickness_mm"], s["spacing_mm"])})
+        return sorted({s.get("version") or "unknown" for s in self.results.shots if is_on_rings(s)})
 
     def checks_of(self, figure):
         return [result for result in self.checks if figure in result.figures]

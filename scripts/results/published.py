@@ -1,9 +1,10 @@
 """The way back from a page to a campaign: shots_published.csv, where the programs of the figures find the shots that are
-known, with the projectiles' masses and the pictures beside it. Pictures that are there stay."""
+known, with the projectiles' masses and the pictures beside it. Pictures that are there stay. Shots of the paper's method
+that do not lie on its cubic lattice are left out: they are run again."""
 
 import shutil
 
-from .data import KEY_COLUMNS, RECORD_COLUMNS, SHOT_COLUMNS, InputError, Row, csv_text, read_table, write_text
+from .data import KEY_COLUMNS, RECORD_COLUMNS, SHOT_COLUMNS, InputError, Row, csv_text, is_on_rings, read_table, write_text
 
 
 def joined_rows(page):
@@ -20,9 +21,11 @@ def take_published(page, folder):
     rows = list(joined_rows(page))
     if not rows:
         raise InputError(f"{page}: holds no shots: must be a page with results")
-    write_text(folder / "shots_published.csv", csv_text(list(rows[0].text), rows))
+    columns, known = list(rows[0].text), [row for row in rows if not is_on_rings(row)]
+    write_text(folder / "shots_published.csv", csv_text(columns, known))
     shutil.copyfile(page / "data" / "projectiles.csv", folder / "projectiles.csv")
     for picture in sorted([*page.glob("*.png"), *page.glob("*.svg")]):
         if not (folder / picture.name).exists():
             shutil.copyfile(picture, folder / picture.name)
-    print(f"{folder / 'shots_published.csv'}: {len(rows)} shots")
+    left_out = f", {len(rows) - len(known)} on the ring lattice are left out" if len(known) < len(rows) else ""
+    print(f"{folder / 'shots_published.csv'}: {len(known)} shots{left_out}")

@@ -27,8 +27,8 @@ results() {
 
 # limit <folder> <argument>...: the command of all parts of this test
 limit() {
-  "$ogive" limit --spacing-mm 2 --sph-radius-mm 15 --clamp-radius-mm 30 --thickness-mm 4 --projectile rigid \
-    --width-mps 20 --velocity-mps 100 --out "$@"
+  "$ogive" limit --spacing-mm 2 --sph-radius-mm 15 --clamp-radius-mm 30 --thickness-mm 4 --projectile rigid --method paper \
+    --lattice ring --width-mps 20 --velocity-mps 100 --out "$@"
 }
 
 limit whole > whole.out || fail "status $?: $(cat whole.out)"
@@ -94,7 +94,7 @@ cmp limits.csv whole/limits.csv || fail "another table of limits"
 (
   trap - INT
   exec env --default-signal=TERM "$ogive" limit --spacing-mm 2 --sph-radius-mm 15 --clamp-radius-mm 30 --thickness-mm 4 \
-    --projectile rigid --width-mps 20 --velocity-mps 100 --out stopped
+    --projectile rigid --method paper --lattice ring --width-mps 20 --velocity-mps 100 --out stopped
 ) > stopped.out 2> stopped.err &
 child=$!
 until [ "$(wc -l 2> /dev/null < stopped/shots.csv || echo 0)" -ge 2 ]; do
