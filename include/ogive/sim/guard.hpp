@@ -136,8 +136,8 @@ Index first_turned(const NodeToSurface<T> &, const SphBody<T, Law, K, F> &, cons
   return -1;
 }
 
-/// A facet of a contact that has turned inside out, if any: the hex behind it has folded, and the surface has no outside
-/// there.
+/// A facet of a contact that has turned inside out, if any: the hex behind it has folded, and the surface has no
+/// outside there.
 template <class T, class Bodies> std::optional<Fault> find_turned(const Model<T, Bodies> &model) {
   std::optional<Fault> fault;
   for (const auto &contact : model.contacts) {
