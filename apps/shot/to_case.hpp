@@ -21,6 +21,7 @@ inline ogive::PerforationCase<double> to_case(const Options &o) {
   c.spacing = o.spacing_mm * 1e-3;
   c.lattice = o.lattice;
   c.projectile = shape_of(o);
+  if (o.own_mesh.read) c.own_mesh = o.own_mesh.read->projectile.body;
   c.projectile_mass = o.mass_g * 1e-3;
   c.obliquity = o.obliquity_deg * std::numbers::pi / 180;
   c.pitch = o.pitch_deg * std::numbers::pi / 180;
