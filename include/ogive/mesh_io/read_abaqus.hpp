@@ -47,9 +47,7 @@ inline bool add_parameters(Keyword &keyword, std::string_view line) {
 
 /// Throws SetupError for keywords that would change the mesh or are of other elements.
 inline void check(const MeshCollector &all, const Keyword &keyword) {
-  const auto refuse = [&](const std::string &what) {
-    refuse_line(all, keyword.line, printable(keyword.name) + what);
-  };
+  const auto refuse = [&](const std::string &what) { refuse_line(all, keyword.line, printable(keyword.name) + what); };
   if (keyword.name == "*INCLUDE") refuse(": other files are not read; put the mesh into one file");
   for (const char *made : {"*NGEN", "*NCOPY", "*NFILL", "*NMAP", "*ELGEN", "*ELCOPY", "*SYSTEM", "*TRANSFORM"})
     if (keyword.name == made) refuse(": must be written out as nodes and elements");
@@ -83,8 +81,8 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
   };
   const auto end_element = [&] {
     if (!element.empty())
-      refuse_line(all, element_line, "fields of an element = " + std::to_string(element.size()) +
-                                         ": must be 9, number and 8 nodes");
+      refuse_line(all, element_line,
+                  "fields of an element = " + std::to_string(element.size()) + ": must be 9, number and 8 nodes");
   };
   for_each_line(text, "**", [&](const TextLine &line) {
     if (continues) {
@@ -99,7 +97,8 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
       if (!continues) end_keyword();
       return true;
     }
-    if (keyword.name == "*INSTANCE") refuse_line(all, line.number, "moves an instance: its nodes must be where they are");
+    if (keyword.name == "*INSTANCE")
+      refuse_line(all, line.number, "moves an instance: its nodes must be where they are");
     if (keyword.name != "*NODE" && keyword.name != "*ELEMENT") return true;
     auto fields = comma_fields(line.text);
     if (fields.size() > 1 && fields.back().empty()) fields.pop_back();
@@ -127,8 +126,9 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
     // One section for all elements, whatever its set is called, makes one part.
     const bool is_only = sections.size() == 1 && sets == std::vector<std::string>{""};
     if (!is_only && std::find(sets.begin(), sets.end(), set) == sets.end())
-      refuse_line(all, section.line, "*SOLIDSECTION, ELSET = " + printable(set) +
-                                         ": must be a set of *ELEMENT, ELSET=; those of *ELSET are not read");
+      refuse_line(all, section.line,
+                  "*SOLIDSECTION, ELSET = " + printable(set) +
+                      ": must be a set of *ELEMENT, ELSET=; those of *ELSET are not read");
   }
   return mesh_of(all);
 }

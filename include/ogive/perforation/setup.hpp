@@ -188,8 +188,8 @@ std::vector<HexBody<T, Law, Rule>> add_projectile(Nodes<T> &nodes, const Perfora
     const NodeRange range = add_nodes(nodes, body.mesh.positions);
     for (std::size_t k = 0; k < metals.size(); ++k) {
       Nodes<T> own;
-      auto &part = parts.emplace_back(add_hex_body<Rule>(own, mesh_of_part(body, k), heavy[k],
-                                                         "projectile_" + body.parts[k], options, rule));
+      auto &part = parts.emplace_back(
+          add_hex_body<Rule>(own, mesh_of_part(body, k), heavy[k], "projectile_" + body.parts[k], options, rule));
       part.nodes = range;
       for (auto &hex : part.hexes)
         for (Index &n : hex) n += range.begin;
@@ -204,8 +204,8 @@ std::vector<HexBody<T, Law, Rule>> add_projectile(Nodes<T> &nodes, const Perfora
 
 /// Builds the model of a case with a metal for each plate, from front to rear: each clamped at its outer radius, a disc
 /// of particles tied to a rim of hexes, or of hexes that turn into particles; and a projectile, with a metal for each
-/// part, that touches the first plate and flies towards -z. Plates touch each other without friction. Throws SetupError for sizes that do not fit
-/// together and for several plates of hexes.
+/// part, that touches the first plate and flies towards -z. Plates touch each other without friction. Throws SetupError
+/// for sizes that do not fit together and for several plates of hexes.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
           class ShotLaw>
 PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
@@ -246,13 +246,12 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   Slaves<T> slaves;
   for (const auto &body : particles) add_slaves(slaves, body.nodes, T(0.5) * body.spacing);
   for (const auto &body : hexes) add_slaves(slaves, body.nodes, T(0));
-  auto contact = make_contact(nodes, std::move(slaves.nodes), std::move(slaves.offset),
-                              shifted(contact_facets(shot_body.mesh, c.extent), shot.front().nodes.begin),
-                              "plate on projectile",
-                              ContactOptions<T>{.friction = c.friction,
-                                                .stiffness = options.contact_stiffness,
-                                                .rigid_masters = c.rigid_projectile},
-                              planes);
+  auto contact = make_contact(
+      nodes, std::move(slaves.nodes), std::move(slaves.offset),
+      shifted(contact_facets(shot_body.mesh, c.extent), shot.front().nodes.begin), "plate on projectile",
+      ContactOptions<T>{
+          .friction = c.friction, .stiffness = options.contact_stiffness, .rigid_masters = c.rigid_projectile},
+      planes);
   contact.state.reference_time_step = step_of_contact;
   std::vector<NodeToSurface<T>> contacts{std::move(contact)};
   std::vector<ParticleContact<T>> particle_contacts;
