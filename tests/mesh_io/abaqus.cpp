@@ -58,5 +58,12 @@ TEST_CASE("damaged Abaqus meshes are refused with file, line and reason") {
         "a.inp:16: moves an instance: its nodes must be where they are");
   CHECK(refused(solids + "1,1,2,3,4,5,6,7,8\n*SOLID SECTION, ELSET=other, MATERIAL=m\n") ==
         "a.inp:15: *SOLIDSECTION, ELSET = OTHER: must be a set of *ELEMENT, ELSET=; those of *ELSET are not read");
+  // Capitals and blanks have no meaning in names; what a file name cannot have is an underscore.
+  const auto two = read(nodes + "*ELEMENT, TYPE=C3D8, ELSET=Core\n1,1,2,3,4,5,6,7,8\n*ELEMENT, TYPE=C3D8, ELSET=CORE\n"
+                                "2,5,6,7,8,1,2,3,4\n");
+  CHECK(two.body.parts == std::vector<std::string>{"Core"});
+  CHECK(refused(solids + "1,1,2,3,4,5,6,7,8\n*ELEMENT, TYPE=C3D8, ELSET=a+b\n2,1,2,3,4,5,6,7,8\n*ELEMENT, TYPE=C3D8, "
+                         "ELSET=a/b\n3,1,2,3,4,5,6,7,8\n") ==
+        "a.inp:17: *ELEMENT, ELSET = a/b: must differ from other sets by letters, digits, '-', '_' or '.'");
   CHECK(refused(nodes + "3,1,1,0\n") == "a.inp:13: node 3: is given a second time");
 }

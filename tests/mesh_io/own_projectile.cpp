@@ -116,6 +116,10 @@ TEST_CASE("meshes that are no closed symmetric body of good hexes are refused wi
   body.mesh.positions[0][2] += 1e-9; // is nobody's any more
   CHECK(refused(body, Extent::full) == "");
 
+  body = bricks({0, 1e-6}, {0, 1e-6}, {4.0, 4.000001});
+  CHECK(refused(body) ==
+        "a.k: width = 0.00173 mm: must be at least a millionth of the distance from the origin, 4e+03 mm");
+
   body = bricks({0, 1e-3}, {0, 1e-3}, {0, 1e-3, 2e-3});
   const Index shift = static_cast<Index>(body.mesh.positions.size());
   for (Index n = 4; n < 8; ++n) body.mesh.positions.push_back(body.mesh.positions[n]);

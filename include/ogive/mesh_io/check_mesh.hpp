@@ -169,8 +169,19 @@ inline void check_surface(const FileMesh &mesh) {
   }
 }
 
+/// Refuses a mesh that is so small and so far from the origin that its coordinates have few digits.
+inline void check_place(const FileMesh &mesh) {
+  double farthest = 0;
+  for (const Vec3<double> &x : mesh.body.mesh.positions) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  if (!(width_of(mesh) >= 1e-6 * farthest))
+    throw SetupError(printable(mesh.file) + ": width = " + with_digits(1e3 * width_of(mesh), 3) +
+                     " mm: must be at least a millionth of the distance from the origin, " +
+                     with_digits(1e3 * farthest, 3) + " mm");
+}
+
 /// All checks of a mesh as one closed body.
 inline void check(const FileMesh &mesh) {
+  check_place(mesh);
   check_shapes(mesh);
   check_nodes_apart(mesh);
   check_faces(mesh);

@@ -74,7 +74,7 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
   std::vector<std::string_view> element; // fields of one that goes on
   long element_line = 0;
   std::vector<Keyword> sections;
-  std::vector<std::string> sets; // of elements, in capitals and without blanks
+  std::vector<std::string> sets; // of each part, in capitals and without blanks: as Abaqus compares names
   const auto end_keyword = [&] {
     check(all, keyword);
     if (keyword.name == "*SOLIDSECTION") sections.push_back(keyword);
@@ -114,8 +114,17 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
     std::array<std::int64_t, 8> corners{};
     for (std::size_t a = 0; a < 8; ++a) corners[a] = number_of_field(all, element[a + 1], "node", element_line);
     const std::string set = parameter(keyword, "ELSET");
-    if (sets.empty() || sets.back() != squeezed_text(set)) sets.push_back(squeezed_text(set));
-    add_hex(all, number, part_named(all, set.empty() ? "1" : set), corners, element_line);
+    auto place = static_cast<std::size_t>(std::find(sets.begin(), sets.end(), squeezed_text(set)) - sets.begin());
+    if (place == sets.size()) {
+      if (set.size() > 80) refuse_line(all, keyword.line, "*ELEMENT, ELSET: must have at most 80 characters");
+      place = part_named(all, set.empty() ? "1" : set);
+      if (place < sets.size())
+        refuse_line(all, keyword.line,
+                    "*ELEMENT, ELSET = " + printable(set) +
+                        ": must differ from other sets by letters, digits, '-', '_' or '.'");
+      sets.push_back(squeezed_text(set));
+    }
+    add_hex(all, number, place, corners, element_line);
     element.clear();
     return true;
   });
