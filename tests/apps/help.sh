@@ -67,7 +67,7 @@ completes "shoot sweep" s
 completes "completion" comp
 completes "--thickness-mm" shoot --thick
 completes "--thickness-mm" limit --quiet --thick
-completes "blunt conical ogival hemispherical chisel sphere profile" shoot --nose ""
+completes "blunt conical ogival hemispherical chisel sphere profile mesh" shoot --nose ""
 completes "conical chisel" shoot --nose c
 completes "aa5083_h116 aa5083_h116_25mm" mesh --material aa50
 completes "--no-vtk" shoot --no-v
