@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""words_test.py [OGIVE]: the documents and the help of the program are in the English of technical reports.
+"""words_test.py [OGIVE]: the documents and the help of the program are in the English of technical reports, and links work.
 
 Reads README.md, CONTRIBUTING.md, the pages in docs/ and, with a program, `ogive --help` and `ogive COMMAND --help-all`.
 Code, addresses and generated tables are not read. Each find is reported with its file, its line and the remedy.
@@ -137,6 +137,25 @@ class Words(unittest.TestCase):
     def test_exceptions_are_needed(self):
         kept = {sentence_at(text, place) for text in documents().values() for place, *_ in bad_words(text)}
         self.assertEqual(set(), set(EXCEPTIONS) - kept)
+
+    def test_links_lead_to_files_and_titles(self):
+        def anchors(page):
+            titles = re.findall(r"(?m)^#+ (.*)$", page.read_text(encoding="utf-8"))
+            return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in titles}
+
+        broken, checked = [], 0
+        for name in documents():
+            page = ROOT / name
+            text = re.sub(r"(?ms)^ *```.*?^ *```$|`[^`\n]+`", blank, page.read_text(encoding="utf-8"))
+            for match in re.finditer(r"\]\((?!@ref|https?:)([^)\s#]*)(?:#([^)\s]+))?\)", text):
+                file = page.parent / match[1] if match[1] else page
+                # Doxygen finds pictures of docs/ by their names.
+                found = file.exists() or (page.parent.name == "doxygen" and (ROOT / "docs" / match[1]).exists())
+                checked += 1
+                if not found or (match[2] and match[2] not in anchors(file)):
+                    broken.append(f"{name}:{line_of(text, match.start())}: {match[0][2:-1]}")
+        self.assertGreater(checked, 50)
+        self.assertEqual([], broken)
 
     def test_readme_program_is_the_example(self):
         program = re.search(r"```cpp\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S)[1]
