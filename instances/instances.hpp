@@ -53,8 +53,8 @@
 /// Discretisation.
 #define OGIVE_PERFORATION(extern_, Model_, Law_, ShotLaw_, Parts_)                                                     \
   extern_ template Model_ make_perforation(const PerforationCase<double> &, const std::vector<Metal<double, Law_>> &,  \
-                                           const Metal<double, ShotLaw_> &, PerforationOptions<double>,                \
-                                           const Parts_ &);                                                            \
+                                           const std::vector<Metal<double, ShotLaw_>> &,                               \
+                                           PerforationOptions<double>, const Parts_ &);                                \
   extern_ template void step(Model_ &, double);                                                                        \
   extern_ template Energy<double> energy(const Model_ &);                                                              \
   extern_ template double stable_time_step(const Model_ &);                                                            \

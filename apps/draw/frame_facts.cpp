@@ -31,25 +31,27 @@ std::optional<double> projectile_velocity(const Frame &frame) {
   const auto named = [](const auto &all, const char *name) {
     return std::find_if(all.begin(), all.end(), [&](const auto &one) { return one.name == name; });
   };
-  const auto grid = named(frame.grids, projectile_name);
-  if (grid == frame.grids.end() || grid->hexes.empty()) return std::nullopt;
-  const auto velocity = named(grid->point_fields, "velocity_m_per_s");
-  const auto density = named(grid->cell_fields, "density_kg_per_m3");
-  if (velocity == grid->point_fields.end() || density == grid->cell_fields.end() || velocity->components != 3)
-    return std::nullopt;
   double mass = 0, momentum = 0;
-  for (std::size_t e = 0; e < grid->hexes.size(); ++e) {
-    ogive::Corners<double> corners;
-    double mean = 0;
-    int c = 0;
-    for (const auto n : grid->hexes[e]) {
-      corners.row(c++) = grid->positions[static_cast<std::size_t>(n)].cast<double>();
-      mean -= velocity->values[3 * static_cast<std::size_t>(n) + 2] / 8.0;
+  for (const ogive::HexGrid &grid : frame.grids) {
+    if (!is_of_projectile(grid.name)) continue;
+    const auto velocity = named(grid.point_fields, "velocity_m_per_s");
+    const auto density = named(grid.cell_fields, "density_kg_per_m3");
+    if (velocity == grid.point_fields.end() || density == grid.cell_fields.end() || velocity->components != 3)
+      return std::nullopt;
+    for (std::size_t e = 0; e < grid.hexes.size(); ++e) {
+      ogive::Corners<double> corners;
+      double mean = 0;
+      int c = 0;
+      for (const auto n : grid.hexes[e]) {
+        corners.row(c++) = grid.positions[static_cast<std::size_t>(n)].cast<double>();
+        mean -= velocity->values[3 * static_cast<std::size_t>(n) + 2] / 8.0;
+      }
+      const double m = density->values[e] * ogive::hex_volume(corners);
+      mass += m;
+      momentum += m * mean;
     }
-    const double m = density->values[e] * ogive::hex_volume(corners);
-    mass += m;
-    momentum += m * mean;
   }
+  if (!(mass > 0)) return std::nullopt;
   return momentum / mass;
 }
 

@@ -61,7 +61,7 @@ double low_mm(const Frame &frame) {
 std::string parts_text(const Frame &frame) {
   std::size_t particles = 0, plate = 0, projectile = 0;
   for (const auto &cloud : frame.clouds) particles += cloud.positions.size();
-  for (const auto &grid : frame.grids) (grid.name == "projectile" ? projectile : plate) += grid.hexes.size();
+  for (const auto &grid : frame.grids) (is_of_projectile(grid.name) ? projectile : plate) += grid.hexes.size();
   const char *extent = frame.symmetry.x ? "quarter" : frame.symmetry.y ? "half" : "full";
   return options::printed("(a) %s model: %zu particles, %zu hexes in the plate, %zu in the projectile", extent,
                           particles, plate, projectile);

@@ -28,8 +28,12 @@ namespace {
 
 /// True if the style leaves this part grey.
 bool drawn_grey(const SectionStyle &style, const std::string &part) {
-  return std::find(style.grey_parts.begin(), style.grey_parts.end(), part) != style.grey_parts.end();
+  return std::any_of(style.grey_parts.begin(), style.grey_parts.end(),
+                     [&](const std::string &grey) { return part == grey || part.starts_with(grey + "_"); });
 }
+
+/// Greys of the parts of a projectile, which follow each other in a frame.
+constexpr std::array<double, 3> greys{0.62, 0.78, 0.46};
 
 /// The field that gives the colour of a part's `count` particles or cells. Throws SetupError if the part lacks it or if
 /// it is not one number for each.
@@ -133,6 +137,10 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::Symm
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectColorArray(style.field.c_str());
   auto actor = matt_actor(mapper, colours, grey, 0.55);
+  if (grey && hexes.name.starts_with(std::string(projectile_name) + "_")) {
+    const double shade = greys[static_cast<std::size_t>(std::abs(hexes.part)) % greys.size()];
+    actor->GetProperty()->SetColor(shade, shade, shade);
+  }
   actor->GetProperty()->SetInterpolationToFlat();
   actor->GetProperty()->SetEdgeVisibility(style.mesh_edges);
   actor->GetProperty()->SetEdgeColor(0.36, 0.39, 0.43);
@@ -173,7 +181,7 @@ vtkSmartPointer<vtkRenderer> section_scene(const ogive::Frame &frame, const Sect
   shown.whole = view.from == Seen::behind;
   for (const auto &cloud : frame.clouds) scene->AddActor(section_actor(cloud, frame.symmetry, shown, colours));
   for (const auto &grid : frame.grids)
-    if (view.from != Seen::behind || grid.name != projectile_name)
+    if (view.from != Seen::behind || !is_of_projectile(grid.name))
       scene->AddActor(section_actor(grid, frame.symmetry, shown, colours));
   aim(scene, view);
   return scene;

@@ -17,8 +17,11 @@
 
 namespace draw {
 
-/// The name of the projectile among the parts of a frame.
+/// The name of the projectile among the parts of a frame; those of its parts begin with it.
 inline constexpr char projectile_name[] = "projectile";
+
+/// Whether a part of a frame is the projectile or one of its parts.
+inline bool is_of_projectile(const std::string &part) { return part.starts_with(projectile_name); }
 
 /// How the parts of a section are drawn.
 struct SectionStyle {

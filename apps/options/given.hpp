@@ -26,7 +26,7 @@ struct Given {
   std::string where; ///< the flag, or file, line and key
   std::string value;
   Kind kind = untyped;          ///< the command line has only text, a TOML file has types
-  std::vector<Given> entries{}; ///< of a list in a TOML file
+  std::vector<Given> entries{}; ///< of a list or a table in a TOML file
 };
 
 /// A choice and its name.

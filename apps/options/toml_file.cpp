@@ -53,6 +53,11 @@ Given given_from(const std::vector<std::string> &lines, const std::string &key, 
     for (const auto &entry : *array) given.entries.push_back(given_from(lines, key, entry, where));
   } else {
     given.value = node.is_table() ? "a table" : "a date or time";
+    if (const auto *inner = node.as_table())
+      for (const auto &[name, entry] : *inner) {
+        const std::string own(name.str());
+        given.entries.push_back(given_from(lines, own, entry, where + "." + own));
+      }
   }
   return given;
 }

@@ -15,9 +15,9 @@ namespace {
 /// Coulomb friction of the paper: 0 for blunt noses, and so for chisels; for the others 0.08 on steel and 0.02 on
 /// aluminium. The paper gives it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the
 /// metal of a file is taken for steel.
-double default_friction(Nose nose, const std::string &material) {
-  if (nose == Nose::blunt || nose == Nose::chisel) return 0;
-  const materials::LibraryMetal *metal = materials::find_library_metal(material);
+double default_friction(const Options &o) {
+  if (is_blunt(o)) return 0;
+  const materials::LibraryMetal *metal = materials::find_library_metal(o.material);
   return metal == nullptr ? 0.08 : metal->sharp_friction;
 }
 
@@ -72,11 +72,13 @@ Options usual(const Options &o) {
   usual.obliquity_deg = o.obliquity_deg;
   usual.pitch_deg = o.pitch_deg, usual.yaw_deg = o.yaw_deg;
   usual.damage = o.damage;
+  usual.own_mesh = o.own_mesh;
   take_defaults(usual, {{"damage", ""}});
   usual.damage = default_damage(o);
   usual.nose_length_mm = o.nose_length_mm;
   usual.tip_diameter_mm = o.tip_diameter_mm;
   usual.profile_mm = o.profile_mm;
+  usual.projectile_mesh = o.projectile_mesh, usual.own_mesh = o.own_mesh;
   usual.length_mm = default_length_mm(usual);
   usual.nose_length_mm = default_nose_length_mm(usual);
   usual.tip_diameter_mm = default_tip_diameter_mm(usual);
@@ -110,7 +112,7 @@ FailureEffect default_failure(DamageLaw damage) {
 }
 
 double default_end_us(const Options &o) {
-  const bool blunt = o.nose == Nose::blunt || o.nose == Nose::chisel;
+  const bool blunt = is_blunt(o);
   const double passage_us = (o.length_mm + target_depth_mm(o)) / o.velocity_mps * 1e3;
   const double least_us = (blunt ? 500 : 1500) * std::max(1.0, o.diameter_mm / 20);
   return std::clamp(10 * std::ceil((blunt ? 3 : 6) * passage_us / 10), least_us, longest_us);
@@ -133,7 +135,7 @@ void take_defaults(Options &o, const options::Origins &origins) {
   }
   if (is_open("control_stiffness")) o.control_stiffness = choices.numerics.sph.control.stiffness;
   if (is_open("failure")) o.failure = default_failure(o.damage);
-  if (is_open("friction")) o.friction = default_friction(o.nose, o.material);
+  if (is_open("friction")) o.friction = default_friction(o);
 }
 
 std::string thickness_label(const Options &o) {

@@ -4,8 +4,10 @@
 #include "materials/library.hpp"
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/version.hpp"
+#include "parts.hpp"
 #include "saved_case.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -20,6 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Name of the file of the metal of a projectile of one part, and of parts without one of their own.
+constexpr char projectile_metal_name[] = "projectile_metal.toml";
+
 /// Names of the files of the metals: one, or one for each plate.
 std::vector<std::string> material_names(const Options &o) {
   std::vector<std::string> names;
@@ -27,9 +32,6 @@ std::vector<std::string> material_names(const Options &o) {
     names.push_back("material_" + std::to_string(k) + ".toml");
   return names.empty() ? std::vector<std::string>{"material.toml"} : names;
 }
-
-/// Name of the file of the projectile's metal, if it is one of a file.
-constexpr char projectile_metal_name[] = "projectile_metal.toml";
 
 const std::vector<std::string> history_columns{
     "time_us",       "velocity_m_per_s", "nose_depth_mm", "tail_depth_mm",       "kinetic_J",
@@ -80,6 +82,13 @@ std::string case_text(const Options &options) {
   // All that the file of a projectile or a profile gives is written; its name counts from elsewhere.
   if (materials::is_material_file(o.projectile)) o.projectile.clear();
   o.profile = std::filesystem::path(o.profile).filename().string();
+  const auto parts = parts_of(o), part_files = part_metal_files(o);
+  for (std::string &entry : o.part_metals) {
+    const PartMetal part = part_metal_of(entry);
+    const auto k = static_cast<std::size_t>(std::find(parts.begin(), parts.end(), part.part) - parts.begin());
+    if (materials::is_material_file(part.metal) && k < parts.size()) entry = entry_of({part.part, part_files[k]});
+  }
+  if (!o.projectile_mesh.empty()) o.projectile_mesh = mesh_copy_name(o.projectile_mesh);
   if (materials::is_material_file(o.projectile_metal)) o.projectile_metal = projectile_metal_name;
   // Counts from the folder of case.toml, so that the folder may move.
   const auto names = material_names(o);
@@ -99,9 +108,17 @@ void start_results(const Options &o, const Plates &plates) {
   const auto names = material_names(o);
   for (std::size_t k = 0; k < names.size(); ++k)
     write_metal(o.out / names[k], plates[k], materials_of(o)[k], "plate", "--material");
-  if (materials::is_material_file(o.projectile_metal))
-    write_metal(o.out / projectile_metal_name, projectile_metal_of(o), o.projectile_metal, "projectile",
+  const auto names_of_parts = parts_of(o), part_names = part_materials(o), part_files = part_metal_files(o);
+  const Plates part_metals = projectile_metals_of(o);
+  for (std::size_t k = 0; k < part_names.size(); ++k) {
+    if (!materials::is_material_file(part_names[k])) continue;
+    const bool has_own = std::any_of(o.part_metals.begin(), o.part_metals.end(), [&](const std::string &entry) {
+      return part_metal_of(entry).part == names_of_parts[k];
+    });
+    write_metal(o.out / (has_own ? part_files[k] : projectile_metal_name), part_metals[k], part_names[k], "projectile",
                 "--projectile-metal");
+  }
+  if (o.own_mesh.read) ogive::write_atomically(o.out / mesh_copy_name(o.projectile_mesh), o.own_mesh.read->bytes);
   ogive::write_atomically(o.out / "case.toml", case_text(o));
 }
 

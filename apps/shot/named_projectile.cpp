@@ -2,6 +2,7 @@
 #include "named_projectile.hpp"
 
 #include "materials/library.hpp"
+#include "parts.hpp"
 #include "table.hpp"
 
 #include "ogive/perforation/projectile_library.hpp"
@@ -16,7 +17,7 @@ using options::Given;
 using options::Origins;
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 14> keys{"nose",
+constexpr std::array<std::string_view, 21> keys{"nose",
                                                 "diameter_mm",
                                                 "length_mm",
                                                 "nose_length_mm",
@@ -28,13 +29,20 @@ constexpr std::array<std::string_view, 14> keys{"nose",
                                                 "mass_g",
                                                 "profile",
                                                 "profile_mm",
+                                                "projectile_mesh",
+                                                "mesh_unit",
+                                                "part_metals",
+                                                "bore_radius_mm",
+                                                "bore_depth_mm",
+                                                "filler_profile_mm",
+                                                "core_profile_mm",
                                                 "projectile_metal",
                                                 "rigid"};
 
 /// A name that says no more than a nose: --nose.
 bool is_nose(std::string_view name) {
   for (const Nose nose : ogive::all_noses)
-    if (name == ogive::name(nose) && nose != Nose::profile) return true;
+    if (name == ogive::name(nose) && nose != Nose::profile && nose != Nose::mesh) return true;
   return false;
 }
 
@@ -45,14 +53,44 @@ std::optional<ogive::Projectile<double>> find_projectile(std::string_view name) 
   return std::nullopt;
 }
 
+/// "arne_tool_steel", or "jacket gilding_metal, core lead".
+std::string metals_text(const ogive::Projectile<double> &p) {
+  if (p.part_metals.empty()) return p.metal.name;
+  const auto parts = ogive::part_names(p.shape);
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < parts.size(); ++k) texts.push_back(parts[k] + " " + p.part_metals[k]);
+  return options::joined(texts);
+}
+
 /// Without the last digits of a conversion.
 std::string in_thousandths(double value) { return options::shortest(std::round(value * 1e9) / 1e6); }
 
 std::vector<Given> givens_of(const ogive::Projectile<double> &p, const std::string &where) {
   std::vector<Given> all;
   const auto give = [&](const char *key, const std::string &value) { all.push_back({key, where, value}); };
+  const auto give_profile = [&](const char *key, const ogive::Profile<double> &profile) {
+    Given given{key, where, "", Given::list};
+    for (const auto &point : profile)
+      for (const double value : {point.z, point.radius})
+        given.entries.push_back({key, where, in_thousandths(value), Given::number});
+    all.push_back(given);
+  };
   give("nose", std::string(name(p.shape.nose)));
   if (is_nose(p.name)) return all;
+  if (!p.shape.inner.empty()) give_profile("core_profile_mm", p.shape.inner.front());
+  if (p.shape.inner.size() > 1) give_profile("filler_profile_mm", p.shape.inner.back());
+  Given metals{"part_metals", where, "", Given::list};
+  const auto parts = ogive::part_names(p.shape);
+  for (std::size_t k = 0; k < p.part_metals.size(); ++k)
+    metals.entries.push_back({"part_metals", where, entry_of({parts[k], p.part_metals[k]}), Given::text});
+  if (!metals.entries.empty()) all.push_back(metals);
+  if (p.shape.nose == Nose::profile) {
+    give_profile("profile_mm", p.shape.profile);
+    give("mass_g", in_thousandths(p.mass));
+    give("projectile_metal", p.metal.name);
+    give("rigid", p.rigid ? "true" : "false");
+    return all;
+  }
   give("diameter_mm", in_thousandths(p.shape.diameter));
   give("length_mm", in_thousandths(ogive::length(p.shape)));
   give("nose_length_mm", in_thousandths(p.shape.nose_length));
@@ -95,8 +133,18 @@ Level level_of_projectile(const Given &given, const fs::path &folder) {
   Options any;
   options::Table table = table_of(any);
   std::erase_if(table.options, [](const options::Option &option) { return !is_of_projectile(option.key); });
-  return {options::entries_of(table, options::text_of_file(file, given.where), file.string(), "diameter_mm = 12.7"),
-          file.parent_path()};
+  // In a file of a projectile a mesh is just that, and parts have tables.
+  for (options::Option &option : table.options) {
+    if (option.key == std::string_view("projectile_mesh")) option.key = "mesh";
+    if (option.key == std::string_view("part_metals")) option.key = "part";
+  }
+  Level level{options::entries_of(table, options::text_of_file(file, given.where), file.string(), "diameter_mm = 12.7"),
+              file.parent_path()};
+  for (Given &entry : level.given) {
+    if (entry.key == "mesh") entry.key = "projectile_mesh";
+    if (entry.key == "part") entry = part_metals_given(entry);
+  }
+  return level;
 }
 
 void copy_projectile(const Options &from, Options &to) {
@@ -106,6 +154,10 @@ void copy_projectile(const Options &from, Options &to) {
   to.calibre_radius_head = from.calibre_radius_head, to.edge_radius_mm = from.edge_radius_mm;
   to.tail_length_mm = from.tail_length_mm, to.tail_diameter_mm = from.tail_diameter_mm;
   to.profile = from.profile, to.profile_mm = from.profile_mm;
+  to.projectile_mesh = from.projectile_mesh, to.mesh_unit = from.mesh_unit, to.own_mesh = from.own_mesh;
+  to.part_metals = from.part_metals;
+  to.bore_radius_mm = from.bore_radius_mm, to.bore_depth_mm = from.bore_depth_mm;
+  to.filler_profile_mm = from.filler_profile_mm, to.core_profile_mm = from.core_profile_mm;
   to.mass_g = from.mass_g, to.projectile_metal = from.projectile_metal, to.rigid = from.rigid;
 }
 
@@ -121,7 +173,7 @@ std::string projectile_list() {
     text += options::broken("  " + p.name + ": ",
                             options::printed("%.4g mm in diameter, %.4g mm long, %.4g g, %s%s; ",
                                              1e3 * p.shape.diameter, 1e3 * ogive::length(p.shape), grams,
-                                             p.metal.name.c_str(), p.rigid ? ", rigid" : "") +
+                                             metals_text(p).c_str(), p.rigid ? ", rigid" : "") +
                                 p.source,
                             4);
   }

@@ -4,6 +4,7 @@
 #include "defaults.hpp"
 #include "materials/library.hpp"
 #include "named_projectile.hpp"
+#include "parts.hpp"
 #include "plates.hpp"
 #include "projectile.hpp"
 #include "table.hpp"
@@ -47,6 +48,13 @@ void apply_level(Options &o, Origins &origins, const Level &level, bool first) {
     if (given.key == "material") from_there(o.material);
     if (given.key == "projectile_metal") from_there(o.projectile_metal);
     if (given.key == "projectile") from_there(o.projectile);
+    if (given.key == "projectile_mesh") o.projectile_mesh = (level.folder / o.projectile_mesh).string();
+    if (given.key == "part_metals")
+      for (std::string &entry : o.part_metals) {
+        PartMetal part = part_metal_of(entry);
+        from_there(part.metal);
+        entry = entry_of(part);
+      }
     if (given.key == "layer_materials") std::for_each(o.layer_materials.begin(), o.layer_materials.end(), from_there);
   }
 }
@@ -76,6 +84,7 @@ Options settled(const std::vector<Level> &levels) {
   take_defaults(o, origins);
   settle_materials(o, origins);
   settle_projectile(o, origins);
+  settle_parts(o, origins);
   if (!origins.contains("end_us")) o.end_us = default_end_us(o);
   if (!origins.contains("out")) o.out = default_out(o);
   check(o, origins);
@@ -141,7 +150,8 @@ double estimated_particles(const Options &o) {
 
 std::string to_toml(const Options &options) {
   Options o = options;
-  const bool own_metal = materials::is_material_file(o.material) || materials::is_material_file(o.projectile_metal);
+  const bool own_metal = materials::is_material_file(o.material) || materials::is_material_file(o.projectile_metal) ||
+                         !o.projectile_mesh.empty() || !o.part_metals.empty();
   // What a reader of the file should choose anew, and what follows from other values. The copy of a material file has
   // another name, from which no folder can follow.
   const auto left_out = [&](const options::Option &option) {

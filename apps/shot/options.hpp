@@ -10,6 +10,7 @@
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/method.hpp"
 #include "options/command_line.hpp"
+#include "own_mesh.hpp"
 
 /// \file
 /// What a user can choose for a shot, from the command line, a TOML file or a row of a list of cases.
@@ -73,6 +74,14 @@ struct Options {
   double tail_diameter_mm = 0;    ///< of its rear end; 0: none
   std::string profile;            ///< the CSV file that profile_mm comes from; empty: no file
   std::vector<double> profile_mm; ///< z and r of the points of a profile in turn; empty: no profile
+  std::string projectile_mesh;    ///< a file of a mesh; empty: none
+  MeshUnit mesh_unit = MeshUnit::mm;
+  OwnMesh own_mesh;                      ///< what settled() or a checkpoint has read of that file
+  std::vector<std::string> part_metals;  ///< "PART=METAL"; empty: projectile_metal for all
+  double bore_radius_mm = 0;             ///< of a bore from the rear; 0: none
+  double bore_depth_mm = 0;              ///< of that bore
+  std::vector<double> filler_profile_mm; ///< z and r of the surface within the jacket in turn; empty: no filler
+  std::vector<double> core_profile_mm;   ///< likewise of the core; empty: no core
   double mass_g = 0;              ///< of the projectile; 0: by the density of its metal
   double obliquity_deg = 0;       ///< between the line of flight and the plate's axis
   double pitch_deg = 0;           ///< of the projectile's axis against the line of flight, in the plane of both

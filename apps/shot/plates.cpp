@@ -3,6 +3,7 @@
 
 #include "materials/library.hpp"
 #include "materials/material_keys.hpp"
+#include "parts.hpp"
 #include "table.hpp"
 
 #include <numeric>
@@ -25,13 +26,15 @@ constexpr char next_plate[] = "next plate";
 /// The one before that of the projectile.
 constexpr char next_projectile[] = "the projectile";
 
+/// The one between the metals of two parts.
+constexpr char next_part[] = "next part";
+
 /// A comment of metals_text() with the line ends around it.
 std::string mark_of(const char *comment) { return "\n# " + std::string(comment) + "\n"; }
 
-/// The metals of the plates in metals_text(), one by one.
-std::vector<std::string> metal_texts(std::string_view all) {
-  all = all.substr(0, all.find(mark_of(next_projectile)));
-  const std::string mark = mark_of(next_plate);
+/// The metals in a text of metals_text(), one by one, that have this comment between them.
+std::vector<std::string> metal_texts(std::string_view all, const char *comment) {
+  const std::string mark = mark_of(comment);
   std::vector<std::string> texts;
   for (std::size_t end = all.find(mark); end != std::string_view::npos; end = all.find(mark)) {
     texts.emplace_back(all.substr(0, end + 1));
@@ -144,7 +147,9 @@ Plates plates_of(const Options &o) {
   Plates plates;
   if (o.restart) {
     const std::string name = "metal in " + o.restart->file.string();
-    for (const std::string &text : metal_texts(o.restart->metal_toml)) plates.push_back(materials::parse(text, name));
+    const std::string_view all = o.restart->metal_toml;
+    for (const std::string &text : metal_texts(all.substr(0, all.find(mark_of(next_projectile))), next_plate))
+      plates.push_back(materials::parse(text, name));
     if (plates.size() == 1) plates.resize(materials_of(o).size(), plates.front());
   } else {
     const char *origin = o.layer_materials.empty() ? "--material" : "--layer-materials";
@@ -165,20 +170,29 @@ Plates plates_of(const Options &o) {
   return plates;
 }
 
-AnyMetal projectile_metal_of(const Options &o) {
-  AnyMetal metal = [&] {
-    if (o.restart && is_material_file(o.projectile_metal)) {
-      const std::string &all = o.restart->metal_toml;
-      const std::size_t at = all.find(mark_of(next_projectile));
-      return materials::parse(at == std::string::npos ? "" : std::string_view(all).substr(at + 1),
-                              "metal in " + o.restart->file.string());
-    }
-    return materials::find_metal(o.projectile_metal, o.model, "--projectile-metal");
-  }();
+Plates projectile_metals_of(const Options &o) {
+  const auto names = part_materials(o);
+  const bool of_file = std::any_of(names.begin(), names.end(), is_material_file);
+  Plates metals;
+  if (o.restart && of_file) {
+    const std::string where = "metal in " + o.restart->file.string();
+    const std::string_view all = o.restart->metal_toml;
+    const std::size_t at = all.find(mark_of(next_projectile));
+    for (const std::string &text : metal_texts(at == std::string::npos ? "" : all.substr(at + 1), next_part))
+      metals.push_back(materials::parse(text, where));
+    if (metals.size() != names.size()) refuse(where, std::to_string(metals.size()), "must be one for each part");
+  } else {
+    for (const std::string &name : names)
+      metals.push_back(
+          materials::find_metal(name, o.model, name == o.projectile_metal ? "--projectile-metal" : "--part-metals"));
+  }
   // Its hexes do not fail: there is nothing that they could turn into.
-  std::visit([](auto &any) { any.damage.law = DamageLaw::none, any.damage.effect = FailureEffect::none; }, metal);
-  return metal;
+  for (AnyMetal &metal : metals)
+    std::visit([](auto &any) { any.damage.law = DamageLaw::none, any.damage.effect = FailureEffect::none; }, metal);
+  return metals;
 }
+
+AnyMetal projectile_metal_of(const Options &o) { return projectile_metals_of(o).front(); }
 
 /// Those with a flow law of their own first: the others get the same.
 void settle_materials(Options &o, const Origins &origins) {
@@ -189,6 +203,9 @@ void settle_materials(Options &o, const Origins &origins) {
         settle_material(o, material, std::exchange(is_model_fixed, true), origins);
   if (is_material_file(o.projectile_metal))
     materials::find_metal(o.projectile_metal, o.model, origin_of(origins, "projectile_metal"));
+  for (const std::string &entry : o.part_metals)
+    if (const PartMetal part = part_metal_of(entry); is_material_file(part.metal))
+      materials::find_metal(part.metal, o.model, origin_of(origins, "part_metals") + ", " + part.part);
 }
 
 std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
@@ -214,7 +231,10 @@ std::string metals_text(const Options &o, const Plates &plates) {
   std::string text = materials::to_toml(plates.front(), "");
   for (std::size_t k = 1; k < plates.size() && !o.layer_materials.empty(); ++k)
     text += materials::to_toml(plates[k], next_plate);
-  if (is_material_file(o.projectile_metal)) text += materials::to_toml(projectile_metal_of(o), next_projectile);
+  const auto names = part_materials(o);
+  if (std::none_of(names.begin(), names.end(), is_material_file)) return text;
+  const char *comment = next_projectile;
+  for (const AnyMetal &metal : projectile_metals_of(o)) text += materials::to_toml(metal, std::exchange(comment, next_part));
   return text;
 }
 

@@ -39,15 +39,18 @@ bool have_failure_strains(const Options &options);
 /// The metals of all plates with the pressure law, damage and failure that the options choose. Throws SetupError.
 Plates plates_of(const Options &options);
 
-/// The metal of the projectile, without damage. Throws SetupError.
+/// The metals of the projectile's parts, without damage. Throws SetupError.
+Plates projectile_metals_of(const Options &options);
+
+/// That of the first part.
 materials::AnyMetal projectile_metal_of(const Options &options);
 
 /// What is doubtful about a case, a line for each: the flow stress and the constants of damage that its metals use, and
 /// its velocity.
 std::vector<std::string> doubts_of(const Options &options, const Plates &plates);
 
-/// The metals of the plates as text for checkpoints: of one as its file has it, or one behind the other; and that of
-/// the projectile if it is one of a file.
+/// The metals of the plates as text for checkpoints: of one as its file has it, or one behind the other; and those of
+/// the projectile's parts if one is of a file.
 std::string metals_text(const Options &options, const Plates &plates);
 
 } // namespace shot

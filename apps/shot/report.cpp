@@ -132,7 +132,8 @@ void announce(const Options &o, const Result &shot) {
               s.particles, s.hexes);
   std::printf("  projectile          %.2f g%s", s.projectile_mass_g, is_of_the_tests(o) ? " (197 g in the tests)" : "");
   if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
-  std::printf(", least scaled Jacobian %.2f", s.projectile_jacobian);
+  std::printf(", %.1f mm3, least scaled Jacobian %.2f", s.projectile_volume_mm3, s.projectile_jacobian);
+  for (const auto &[name, mass_g] : s.part_masses_g) std::printf("\n    %-17s %.2f g", name.c_str(), mass_g);
   std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
   if (o.restart) std::printf("  resumes from        %.3f us, %s\n", o.restart->time_us, o.restart->file.c_str());
   std::fflush(stdout);
@@ -200,6 +201,8 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   j["failed_mass_g"] = s.fragments.failed_mass * 1e3;
   j["failed_particles"] = s.fragments.failed;
   j["projectile_mass_g"] = s.sizes.projectile_mass_g;
+  j["projectile_volume_mm3"] = s.sizes.projectile_volume_mm3;
+  for (const auto &[name, mass_g] : s.sizes.part_masses_g) j["projectile_part_masses_g"][name] = mass_g;
   j["added_mass_g"] = s.sizes.added_mass_g;
   j["projectile_scaled_jacobian"] = s.sizes.projectile_jacobian;
   j["largest_intrusion_mm"] = s.intrusion_mm;

@@ -14,6 +14,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shot {
@@ -24,6 +25,8 @@ struct Sizes {
   long hexes = 0;
   double spacing_mm = 0;
   double projectile_mass_g = 0;
+  double projectile_volume_mm3 = 0;
+  std::vector<std::pair<std::string, double>> part_masses_g; ///< of a projectile of several parts, with their names
   double added_mass_g = 0;        ///< for the time step, at a sharp tip
   double projectile_jacobian = 0; ///< smallest scaled one of its hexes, 1 for bricks
   double time_step_us = 0;
@@ -97,6 +100,7 @@ struct BodySizes {
   long nodes = 0;
   long hexes = 0; ///< 0: particles
   double mass_g = 0;
+  double volume_mm3 = 0;  ///< of hexes, of the whole model
   double shortest_mm = 0; ///< edge of a hex, or the particle distance
   double longest_mm = 0;
   double largest_aspect = 0;

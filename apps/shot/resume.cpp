@@ -39,6 +39,10 @@ Options options_in(const SavedCase &saved, const std::filesystem::path &file) {
   o.out = file.has_parent_path() ? file.parent_path() : ".";
   if (!o.layers_mm.empty()) o.thickness_mm = std::accumulate(o.layers_mm.begin(), o.layers_mm.end(), 0.0);
   o.restart = {file, saved.metal_toml, saved.time_us};
+  if (!o.projectile_mesh.empty()) {
+    o.projectile_mesh = (o.out / mesh_copy_name(o.projectile_mesh)).string();
+    o.own_mesh = read_own_mesh(o.projectile_mesh, o.mesh_unit, o.extent, "mesh of " + file.string());
+  }
   return o;
 }
 
@@ -79,6 +83,7 @@ Resumed resumed(const Options &options) {
     if (has_ended && options.end_us <= saved.time_us) return {options};
     const auto restart = std::exchange(left.restart, std::nullopt);
     left.out = options.out;
+    left.projectile_mesh = options.projectile_mesh; // the mesh itself is compared
     left.end_us = options.end_us;
     left.checkpoint_every_us = options.checkpoint_every_us;
     left.picture = options.picture;
@@ -109,15 +114,21 @@ std::optional<std::string> other_case(const Options &options) {
     const auto here = table_of(mine).options, there = table_of(theirs).options;
     for (std::size_t k = 0; k < here.size(); ++k) {
       const std::string key = here[k].key;
-      const bool of_metal = key == "material" || key == "layer_materials" || key == "projectile_metal";
+      const bool of_metal =
+          key == "material" || key == "layer_materials" || key == "projectile_metal" || key == "part_metals";
       // Labels: what they name is compared by the other keys.
-      const bool is_label = key == "profile" || (key == "projectile" && materials::is_material_file(mine.projectile));
+      const bool is_label = key == "profile" || key == "projectile_mesh" || (key == "projectile" && materials::is_material_file(mine.projectile));
       const bool counts = key == "settle_us" || here[k].group != run_group;
       if (counts && !of_metal && !is_label && here[k].toml() != there[k].toml()) return key;
     }
     if (metals_text(mine, plates_of(mine)) != metals_text(theirs, plates_of(theirs))) return "material";
-    const auto shots = std::array{projectile_metal_of(mine), projectile_metal_of(theirs)};
-    return materials::to_toml(shots[0], "") == materials::to_toml(shots[1], "") ? "" : "projectile_metal";
+    if (mine.own_mesh != theirs.own_mesh) return "projectile_mesh";
+    const auto text_of = [](const Options &o) {
+      std::string text;
+      for (const auto &metal : projectile_metals_of(o)) text += materials::to_toml(metal, "");
+      return text;
+    };
+    return text_of(mine) == text_of(theirs) ? "" : "projectile_metal";
   } catch (const ogive::SetupError &) {
     return std::nullopt;
   }

@@ -33,6 +33,7 @@ BodySizes sizes_of(const ogive::HexBody<double, Law, Rule> &body, const ogive::N
     for (ogive::Index &n : hex) n -= body.nodes.begin;
   const auto q = ogive::mesh_quality(mesh);
   return {.hexes = static_cast<long>(body.hexes.size()),
+          .volume_mm3 = ogive::volume(mesh) * 1e9,
           .shortest_mm = q.shortest_edge * 1e3,
           .longest_mm = q.longest_edge * 1e3,
           .largest_aspect = q.largest_aspect,
@@ -43,12 +44,19 @@ BodySizes sizes_of(const ogive::HexBody<double, Law, Rule> &body, const ogive::N
 template <class M> Sizes sizes_of(const M &model) {
   Sizes s;
   const auto &shot = ogive::projectile(model);
-  s.hexes = static_cast<long>(shot.hexes.size());
   for (const auto &rim : model.bodies.plate_hexes) s.hexes += static_cast<long>(rim.hexes.size());
   for (const auto &disc : model.bodies.plate_particles) s.particles += disc.points.size();
   s.spacing_mm = ogive::plate_particles(model).spacing * 1e3;
-  s.projectile_mass_g = ogive::whole_mass(shot.point_mass, model.symmetry) * 1e3;
-  s.projectile_jacobian = sizes_of(shot, model.nodes).smallest_scaled_jacobian;
+  s.projectile_mass_g = ogive::projectile_mass(model) * 1e3;
+  s.projectile_jacobian = 1;
+  for (const auto &part : model.bodies.projectile) {
+    const BodySizes own = sizes_of(part, model.nodes);
+    s.hexes += own.hexes;
+    s.projectile_volume_mm3 += own.volume_mm3 * model.symmetry.copies();
+    s.projectile_jacobian = std::min(s.projectile_jacobian, own.smallest_scaled_jacobian);
+    if (model.bodies.projectile.size() > 1)
+      s.part_masses_g.emplace_back(part.name, ogive::whole_mass(part.point_mass, model.symmetry) * 1e3);
+  }
   double nodal = 0;
   for (ogive::Index n = shot.nodes.begin; n < shot.nodes.end; ++n) nodal += model.nodes.mass[n];
   s.added_mass_g = nodal * model.symmetry.copies() * 1e3 - s.projectile_mass_g;
@@ -152,9 +160,19 @@ Metals metals_of(const Plates &plates) {
 
 /// The model of a case.
 auto model_of(const Options &options, const ogive::PerforationCase<double> &c, const Metals &plates) {
-  const auto shot =
-      std::visit([](const auto &metal) { return ogive::with_law<AnyLaw>(metal); }, projectile_metal_of(options));
-  return ogive::make_perforation(c, plates, shot, numerics_of(options), discretisation_of(options));
+  return ogive::make_perforation(c, plates, metals_of(projectile_metals_of(options)), numerics_of(options),
+                                 discretisation_of(options));
+}
+
+/// Nodes of a body that it has something at.
+template <class Law, class Rule> long nodes_of(const ogive::HexBody<double, Law, Rule> &body) {
+  const auto &begin = body.corners_of_nodes.begin;
+  long nodes = 0;
+  for (std::size_t n = 0; n + 1 < begin.size(); ++n) nodes += begin[n] < begin[n + 1];
+  return nodes;
+}
+template <class Law, class Kernel, class Form> long nodes_of(const ogive::SphBody<double, Law, Kernel, Form> &body) {
+  return body.nodes.size();
 }
 
 template <class Law, class Kernel, class Form>
@@ -172,8 +190,9 @@ std::vector<BodySizes> write_model(const Options &options, const Plates &plates)
   for_each_body(model, [&](const auto &body) {
     BodySizes sizes = sizes_of(body, model.nodes);
     sizes.name = body.name;
-    sizes.nodes = body.nodes.size();
+    sizes.nodes = nodes_of(body);
     sizes.mass_g = ogive::whole_mass(body.point_mass, model.symmetry) * 1e3;
+    sizes.volume_mm3 *= model.symmetry.copies();
     sizes.time_step_us = ogive::stable_time_step(body, model.nodes) * 1e6;
     all.push_back(sizes);
   });

@@ -5,6 +5,7 @@
 #include "materials/material_keys.hpp"
 #include "named_projectile.hpp"
 #include "options/text.hpp"
+#include "parts.hpp"
 
 #include <thread>
 
@@ -161,6 +162,20 @@ void add_projectile(Table &t, Options &o) {
   profile.toml = [&o] { return o.profile.empty() ? "" : options::toml_string(o.profile); };
   add(t, o.profile_mm, {.key = "profile_mm", .meaning = "z and r of the points of a profile in turn, as case.toml has "
       "them; --profile reads them from a file", .source = "none", .limits = {0, 2000, "mm"}});
+  Option &mesh = options::add_option(t, {.key = "projectile_mesh", .meaning = "a projectile that is a mesh of hexes: "
+      "nodes and solids of LS-DYNA (.k), Abaqus (.inp) or VTK (.vtu); its axis is z, its tip the end with the smallest "
+      "z", .source = "none", .brief = "your own mesh: FILE.k, FILE.inp or FILE.vtu"},
+      options::Kind::other, "FILE");
+  mesh.allowed_text = allowed_mesh_files();
+  mesh.range = "";
+  mesh.assign = [&o](const Given &given) {
+    const std::string file = line_given(given, allowed_mesh_files());
+    if (!is_mesh_file(file)) refuse(given, "must be " + allowed_mesh_files());
+    o.projectile_mesh = file;
+  };
+  mesh.toml = [&o] { return o.projectile_mesh.empty() ? "" : options::toml_string(o.projectile_mesh); };
+  add(t, o.mesh_unit, {.key = "mesh_unit", .meaning = "unit of length of that mesh", .source = "ours"});
+  add_parts(t, o);
   add(t, o.mass_g, {.key = "mass_g", .meaning = "of the projectile, by its density; 0: that of its metal",
       .source = "paper", .brief = "mass of the projectile; 0: that of its metal", .limits = {0, 1e6, "g"}});
   add_projectile_metal(t, o);

@@ -56,6 +56,10 @@ constexpr auto choices(SphKernel) {
   return options::named<SphKernel>(
       {{SphKernel::cubic_spline, "cubic_spline"}, {SphKernel::wendland_c2, "wendland_c2"}});
 }
+constexpr auto choices(MeshUnit) {
+  return options::named<MeshUnit>(
+      {{MeshUnit::mm, "mm"}, {MeshUnit::cm, "cm"}, {MeshUnit::m, "m"}, {MeshUnit::inch, "inch"}});
+}
 constexpr auto choices(Smoothing) {
   return options::named<Smoothing>({{Smoothing::constant, "constant"}, {Smoothing::variable, "variable"}});
 }

@@ -22,6 +22,7 @@ inline ogive::PerforationCase<double> to_case(const Options &o) {
   c.lattice = o.lattice;
   c.seed = static_cast<std::uint64_t>(o.seed);
   c.projectile = shape_of(o);
+  if (o.own_mesh.read) c.own_mesh = o.own_mesh.read->projectile.body;
   c.projectile_mass = o.mass_g * 1e-3;
   c.obliquity = o.obliquity_deg * std::numbers::pi / 180;
   c.pitch = o.pitch_deg * std::numbers::pi / 180;

@@ -37,6 +37,8 @@ TEST_CASE("a projectile by name is the one of the library") {
     CHECK(o.mass_g == Approx(p.mass * 1e3));
     CHECK(o.rigid == p.rigid);
     CHECK(o.projectile_metal == p.metal.name);
+    CHECK(shape.inner.size() == p.shape.inner.size());
+    CHECK(o.part_metals.size() == p.part_metals.size());
   }
   // A nose is no more than --nose, with its folder.
   CHECK(options_of({"--projectile", "conical"}) == options_of({"--nose", "conical"}));
@@ -110,8 +112,8 @@ TEST_CASE("bad projectiles are refused with option, value and what is allowed") 
   };
   const std::vector<Bad> all{
       {{"--projectile", "bullet"},
-       "--projectile = bullet: must be one of blunt, conical, ogival, hemispherical, sphere, apm2_762_core, fsp_20mm, "
-       "fsp_127mm, or a file that ends in .toml"},
+       "--projectile = bullet: must be one of blunt, conical, ogival, hemispherical, sphere, apm2_762, apm2_762_core, "
+       "fsp_20mm, fsp_127mm, or a file that ends in .toml"},
       {{"--projectile", "fsp_20"}, "--projectile = fsp_20: must be one of "},
       {{"--projectile", "gone.toml"}, "--projectile = gone.toml: must be a TOML file that can be read"},
       {{"--projectile-metal", "leed"}, "--projectile-metal = leed: must be one of arne_tool_steel, apm2_core_steel, "},

@@ -76,4 +76,33 @@ rm grooved.csv
 shoot again --config grooved/case.toml
 [ "$(number grooved state_hash)" = "$(number again state_hash)" ] || fail "case.toml of a profile gives another shot"
 
+# An own mesh of two parts, by its file and by that of a projectile; its case needs neither any more. Analytic mass of the
+# cylinder: 12 mm in diameter, 12 mm of steel (7850) and 12 mm of copper (8960 kg/m3), 22.81 g.
+mesh=(--thickness-mm 4 --spacing-mm 1.5 --sph-radius-mm 10 --clamp-radius-mm 40 --velocity-mps 400)
+shoot two_parts --projectile "$examples/two_parts.toml" "${mesh[@]}"
+require_verdict two_parts perforated
+require_between two_parts projectile_mass_g 22.80 22.83
+require_between two_parts projectile_volume_mm3 2714.3 2714.4
+require_between two_parts energy_error 0 0.005
+cp "$examples/two_parts.k" mine.k
+shoot by_file --projectile-mesh mine.k --part-metals 1=arne_tool_steel,2=ofhc_copper "${mesh[@]}"
+rm mine.k
+[ "$(number two_parts state_hash)" = "$(number by_file state_hash)" ] || fail "an own mesh and its projectile's file differ"
+shoot from_case --config by_file/case.toml
+[ "$(number two_parts state_hash)" = "$(number from_case state_hash)" ] || fail "case.toml of an own mesh gives another shot"
+shoot rigid_mesh --projectile "$examples/two_parts.toml" --rigid "${mesh[@]}" --end-us 40
+require_between rigid_mesh projectile_mass_g 22.80 22.83
+
+# The whole bullet, whose lead flows, sheds energy to nowhere.
+shoot bullet --projectile apm2_762 --material aa6061_t651 --thickness-mm 12.7 --clamp-radius-mm 60 --spacing-mm 1.4 \
+  --sph-radius-mm 10 --velocity-mps 500
+require_verdict bullet perforated
+require_between bullet projectile_mass_g 10.69 10.71
+require_between bullet energy_error 0 0.01
+
+# A tube: pi (10^2 - 7^2) 40 mm3.
+shoot tube --bore-radius-mm 7 --bore-depth-mm 40 --length-mm 40 --thickness-mm 4 --spacing-mm 2 --clamp-radius-mm 40 \
+  --velocity-mps 300 --end-us 40
+require_between tube projectile_volume_mm3 6408.8 6408.9
+
 "$ogive" projectiles | grep -q 'fsp_20mm: 19.9 mm in diameter' || fail "ogive projectiles lacks fsp_20mm"

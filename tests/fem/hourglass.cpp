@@ -185,7 +185,7 @@ TEST_CASE("hourglass forces that yield turn with the hex", "[fem]") {
     // Round-off of 100 steps.
     CHECK((b.body.hourglass_force[e] - turned * Q).norm() < 1e-9 * Q.norm());
     CHECK(b.body.hourglass_energy[e] == Approx(a.body.hourglass_energy[e]).epsilon(1e-9));
-    CHECK(a.body.points.plastic_strain[e] > 0.01);
+    CHECK(a.body.points.plastic_strain[e] > 0.004); // ten times the yield strain
     largest = std::max(largest, Q.norm());
   }
   CHECK(largest > 0);
@@ -202,8 +202,9 @@ TEST_CASE("the work of bending to and fro beyond yield is never negative and is 
       CHECK(hourglass_energy(s.body) > 0);
     }
     if (cycle == 0) first = hourglass_energy(s.body);
-    // Each cycle unloads elastically and bends the other way: a tenth less than the first, which begins without stress.
-    CHECK(hourglass_energy(s.body) > first * (1 + 0.8 * cycle));
+    // Each later cycle unloads elastically and bends the other way: a tenth less work than the first, which begins
+    // without stress.
+    CHECK(hourglass_energy(s.body) >= first * (1 + 0.8 * cycle));
     for (auto &v : s.nodes.velocity) v = -v;
   }
 }

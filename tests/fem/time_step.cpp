@@ -107,8 +107,8 @@ TEST_CASE("the step of a cube is the dilatation's", "[fem]") {
 
 namespace {
 
-/// Largest eigenfrequency, 1/s, of a cube that is squeezed along z to a third of its height, by power iteration with the
-/// changes of its own forces.
+/// Largest eigenfrequency, 1/s, of a cube that is squeezed along z to a third of its height, by power iteration with
+/// the changes of its own forces.
 double frequency_of_squeezed(Solid<OnePoint> &fresh) {
   const double dt = 1e-9;
   auto still = fresh;

@@ -1,6 +1,6 @@
 # Readers tried with any bytes. Each target is a program with replay.cpp, which tries the seeds as a test, or with
 # libFuzzer where OGIVE_FUZZ is on; tests/fuzz/fuzz.sh runs those.
-set(fuzz_targets curve_table profile)
+set(fuzz_targets curve_table profile mesh_k mesh_inp)
 if(TARGET ogive_shot)
   list(APPEND fuzz_targets card case_file material_file checkpoint_file checkpoint_notes checkpoint_state)
 else()

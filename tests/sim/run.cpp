@@ -136,8 +136,7 @@ TEST_CASE("a facet that turns inside out stops the run", "[sim]") {
   const auto mesh = brick_at(1, 1, 2, V(1e-3, 1e-3, 2e-3), V::Zero());
   auto target = add_hex_body(nodes, mesh, fem_test::steel<double>(), "target");
   auto block = add_sph_body(nodes, lattice(1, 1, 1, spacing, V(0, 0, 5e-3)), fem_test::steel<double>(), "block");
-  auto contact =
-      make_contact(nodes, {block.nodes.begin}, {0.5 * spacing}, boundary_facets(mesh), "block on target");
+  auto contact = make_contact(nodes, {block.nodes.begin}, {0.5 * spacing}, boundary_facets(mesh), "block on target");
   auto model = model_of(std::move(nodes), std::move(target), std::move(block));
   model.contacts.push_back(std::move(contact));
   CHECK_FALSE(find_turned(model));

@@ -102,8 +102,7 @@ enum class Foot {
 };
 
 /// The rod of hexes of the size that suits particles `spacing` (m) apart, at the default options.
-template <class Rule, class Law>
-Rod rod_of_hexes(const TaylorCase<Law> &c, double spacing, Foot foot = Foot::held) {
+template <class Rule, class Law> Rod rod_of_hexes(const TaylorCase<Law> &c, double spacing, Foot foot = Foot::held) {
   Nodes<double> nodes;
   const ProjectileShape<double> shape{Nose::blunt, 2 * c.radius, c.length, 0, 0};
   const auto mesh = projectile_mesh(shape, spacing, Extent::quarter);

@@ -113,8 +113,9 @@ HourglassModes<Pack<T>> hourglass_forces_of(const HexBody<T, Law, Rule> &body, I
   return force;
 }
 
-/// The hourglass forces (N) that the metal of a pack of hexes bears, of those that it would have if it stayed elastic in
-/// the step `dt` (s): see the head of hourglass.hpp. Read after the stress of the step's end. For hexes of one point.
+/// The hourglass forces (N) that the metal of a pack of hexes bears, of those that it would have if it stayed elastic
+/// in the step `dt` (s): see the head of hourglass.hpp. Read after the stress of the step's end. For hexes of one
+/// point.
 template <class T, class Law, class Rule>
 HourglassModes<Pack<T>> yielded_hourglass(const HexBody<T, Law, Rule> &body, Index pack,
                                           const HourglassModes<Pack<T>> &trial, T dt) {

@@ -109,8 +109,8 @@ FastestMotion<N> fastest_motion(const HexBody<T, Law, Rule> &body, const Corners
   if constexpr (Chosen::points == 1) {
     N most = inverse_mass[0];
     for (int a = 1; a < 8; ++a) most = max(most, inverse_mass[a]);
-    motion.damping += most * hourglass_damping<T, N>(options.hourglass_viscosity, p_wave_modulus(elastic),
-                                                     now.density, mean.volume, norm);
+    motion.damping += most * hourglass_damping<T, N>(options.hourglass_viscosity, p_wave_modulus(elastic), now.density,
+                                                     mean.volume, norm);
   }
   return motion;
 }

@@ -31,8 +31,8 @@
 ///    the flow stress with the direction of flow.
 /// 2. Where the mean does not flow, a hex that is bent yields at the plastic moment. The root mean square of the
 ///    equivalent stress of a beam's bending is h = sqrt(24) |Q|/(V |g|), and at the plastic moment, Q = sigma V |g|/(2
-///    sqrt(8)), it is sqrt(3)/2 sigma. For all modes together h^2 = 24 |Q|^2/V^2 in the norm of the stored energy, and h
-///    is at most sqrt(3)/2 times the flow stress.
+///    sqrt(8)), it is sqrt(3)/2 sigma. For all modes together h^2 = 24 |Q|^2/V^2 in the norm of the stored energy, and
+///    h is at most sqrt(3)/2 times the flow stress.
 
 namespace ogive {
 

@@ -145,14 +145,17 @@ void gather_body(Frame &frame, const Nodes<T> &nodes, const SphBody<T, Law, K, F
   frame.clouds.push_back(std::move(cloud));
 }
 
-/// Adds a body of hexes to a frame, as a grid. Elements with several material points give their mean. Removed hexes and
-/// their corners are left out.
+/// Adds a body of hexes to a frame, as a grid. Elements with several material points give their mean. Removed hexes,
+/// their corners and nodes that belong to other parts alone are left out.
 template <class T, class Law, class Rule, class Width>
 void gather_body(Frame &frame, const Nodes<T> &nodes, const HexBody<T, Law, Rule, Width> &body, int part) {
   const auto count = static_cast<Index>(body.hexes.size());
   const auto hexes = numbers_of(0, count, [&](Index e) { return !is_removed(body, e); });
-  const auto numbers = numbers_of(body.nodes.begin, body.nodes.end,
-                                  [&](Index n) { return !is_node_removed(body, n - body.nodes.begin); });
+  const std::vector<Index> &corners_before = body.corners_of_nodes.begin;
+  const auto numbers = numbers_of(body.nodes.begin, body.nodes.end, [&](Index n) {
+    const Index own = n - body.nodes.begin;
+    return corners_before[own] < corners_before[own + 1] && !is_node_removed(body, own);
+  });
   std::vector<Index> place(static_cast<std::size_t>(body.nodes.size()), -1);
   for (std::size_t k = 0; k < numbers.size(); ++k) place[numbers[k] - body.nodes.begin] = static_cast<Index>(k);
   HexGrid grid{body.name,

@@ -35,8 +35,7 @@ template <class T, class N> N pressure(const EquationOfState<T> &eos, T bulk_mod
 /// Bulk modulus of the present state, rho dp/drho at constant entropy, Pa: what sound feels. K rho/rho0 with the linear
 /// law, more with Mie-Grueneisen. `mu` as in pressure(), `present` the pressure (Pa). No less than `bulk_modulus` (Pa),
 /// so that it bounds the sound speed. `N` is T or a pack of T.
-template <class T, class N>
-N tangent_bulk_modulus(const EquationOfState<T> &eos, T bulk_modulus, N mu, N present) {
+template <class T, class N> N tangent_bulk_modulus(const EquationOfState<T> &eos, T bulk_modulus, N mu, N present) {
   using std::max;
   const N ratio = T(1) + mu;
   if (eos.law == PressureLaw::linear) return bulk_modulus * max(ratio, N(1));

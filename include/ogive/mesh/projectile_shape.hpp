@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ogive {
 
@@ -22,20 +23,21 @@ enum class Nose {
   hemispherical, ///< half a sphere
   chisel,        ///< a flat between two inclined ones, as fragment simulators have; symmetric in x and in y
   sphere,        ///< the whole projectile is one
-  profile        ///< the whole projectile is a body of revolution with a profile of its own
+  profile,       ///< the whole projectile is a body of revolution with a profile of its own
+  mesh           ///< the whole projectile is a mesh of its own
 };
 
 /// All noses, in the order of the enumerators.
-inline constexpr std::array<Nose, 7> all_noses = {Nose::blunt,  Nose::conical, Nose::ogival, Nose::hemispherical,
-                                                  Nose::chisel, Nose::sphere,  Nose::profile};
+inline constexpr std::array<Nose, 8> all_noses = {Nose::blunt,  Nose::conical, Nose::ogival,  Nose::hemispherical,
+                                                  Nose::chisel, Nose::sphere,  Nose::profile, Nose::mesh};
 
 /// The noses of paper_projectile().
 inline constexpr std::array<Nose, 4> paper_noses = {Nose::blunt, Nose::conical, Nose::ogival, Nose::hemispherical};
 
 /// Name of a nose: its enumerator.
 inline std::string_view name(Nose nose) {
-  constexpr std::array<std::string_view, 7> names = {"blunt",  "conical", "ogival", "hemispherical",
-                                                     "chisel", "sphere",  "profile"};
+  constexpr std::array<std::string_view, 8> names = {"blunt",  "conical", "ogival",  "hemispherical",
+                                                     "chisel", "sphere",  "profile", "mesh"};
   return names[static_cast<std::size_t>(nose)];
 }
 
@@ -46,16 +48,22 @@ template <class T> struct ProjectileShape {
   T shank_length{};        ///< m, boat tail included; 0 of a sphere
   T nose_length{};         ///< m: 0 if blunt; of the frustum if conical; of the ogive without flat; the radius if
                    ///< hemispherical; depth of the inclined flats of a chisel; diameter of a sphere; up to the widest
-                   ///< place of a profile
-  T tip_diameter{};     ///< flat at the tip of a conical or ogival nose, width of that of a chisel, m
+                   ///< place of a profile or mesh
+  T tip_diameter{};     ///< flat at the tip of a conical or ogival nose or of a mesh, width of that of a chisel, m
   T edge_radius{};      ///< of the edge between face and shank of a blunt projectile, m; 0: sharp
   T tail_length{};      ///< of the boat tail, m; 0: none
   T tail_diameter{};    ///< of its rear end, m
   Profile<T> profile{}; ///< of a projectile that has its own
+  /// Surfaces within the projectile, from the inside out, each closed by flats at both ends; z from the tip. Each bounds
+  /// a part of another metal, see nested_mesh.hpp.
+  std::vector<Profile<T>> inner{};
+  bool is_hollow = false; ///< there is nothing within the first of those surfaces
+  T mesh_volume{};        ///< of the whole of a mesh of its own, m3
 };
 
 /// Whether the projectile pushes the plate aside, and has perforated once its tail has left; else it pushes a plug out.
 template <class T> bool is_sharp(const ProjectileShape<T> &s) {
+  if (s.nose == Nose::mesh) return s.tip_diameter < T(0.5) * s.diameter;
   return s.nose != Nose::blunt && s.nose != Nose::chisel;
 }
 
@@ -103,6 +111,13 @@ template <class T> ProjectileShape<T> projectile_of(const Profile<T> &profile) {
 
 /// Throws SetupError if a dimension is out of range.
 template <class T> void check(const ProjectileShape<T> &s) {
+  if (s.nose == Nose::mesh) {
+    require(std::isfinite(s.diameter) && s.diameter > T(0), "projectile diameter (m)", s.diameter,
+            "must be positive and finite");
+    require(std::isfinite(s.mesh_volume) && s.mesh_volume > T(0), "volume of the projectile's mesh (m3)", s.mesh_volume,
+            "must be positive and finite");
+    return;
+  }
   const auto positive = [](T value, const char *thing) {
     require(std::isfinite(value) && value > T(0), thing, value, "must be positive and finite");
   };
@@ -205,6 +220,7 @@ template <class T> T radius_at(const ProjectileShape<T> &s, T z) {
     return std::sqrt(std::max(T(0), radius * radius - (z - radius) * (z - radius)));
   case Nose::chisel:
   case Nose::profile:
+  case Nose::mesh:
     break;
   }
   return radius;
@@ -232,8 +248,9 @@ template <class T> T chisel_volume(const ProjectileShape<T> &s) {
   return std::numbers::pi_v<T> * radius * radius * s.nose_length - T(2) * chisel_slope(s) * wedge;
 }
 
-/// Analytic volume, m3.
-template <class T> T volume(const ProjectileShape<T> &s) {
+/// Analytic volume within the outer surface, m3, a bore included.
+template <class T> T outer_volume(const ProjectileShape<T> &s) {
+  if (s.nose == Nose::mesh) return s.mesh_volume;
   if (s.nose == Nose::profile) return volume(s.profile);
   constexpr T pi = std::numbers::pi_v<T>;
   const T radius = s.diameter / T(2), tip = s.tip_diameter / T(2), height = nose_height(s);
@@ -250,6 +267,11 @@ template <class T> T volume(const ProjectileShape<T> &s) {
   }
   const T whole = pi * radius * radius * s.shank_length + nose;
   return s.tail_length > T(0) ? whole - tail_loss(s) : whole;
+}
+
+/// Analytic volume, m3, without that of a bore.
+template <class T> T volume(const ProjectileShape<T> &s) {
+  return s.is_hollow ? outer_volume(s) - volume(s.inner.front()) : outer_volume(s);
 }
 
 /// Analytic mass, kg, for a density in kg/m3.

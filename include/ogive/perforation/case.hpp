@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/core/symmetry.hpp"
+#include "ogive/mesh/nested_mesh.hpp"
 #include "ogive/mesh/projectile.hpp"
 
 #include <cmath>
@@ -33,6 +34,7 @@ template <class T> struct PerforationCase {
   std::uint64_t seed = 0;          ///< of an arrangement that is disturbed at random, see disturb(); 0: the lattice
   /// Shape of the projectile.
   ProjectileShape<T> projectile = paper_projectile<T>(Nose::blunt);
+  PartMesh<T> own_mesh{};        ///< of the computed part of a projectile with Nose::mesh, m, its tip at z = 0
   T projectile_mass = T(0);      ///< of the whole projectile, kg; 0: by the density of its metal
   T initial_velocity = T(303.5); ///< m/s
   T obliquity = T(0);            ///< angle between the line of flight and the plate's axis, rad; not in a quarter model
@@ -44,6 +46,14 @@ template <class T> struct PerforationCase {
   Extent extent = Extent::quarter;      ///< how much of the model is computed
   std::vector<PlateBehind<T>> behind{}; ///< more plates, in the order in which the projectile meets them
 };
+
+/// The mesh of the projectile's computed part, tip at z = 0, body at z > 0. Throws SetupError for dimensions or hexes
+/// that cannot be.
+template <class T> PartMesh<T> projectile_body(const PerforationCase<T> &c, T spacing) {
+  if (c.projectile.nose == Nose::mesh) return c.own_mesh;
+  if (!c.projectile.inner.empty()) return nested_mesh(c.projectile, spacing, c.extent);
+  return {projectile_mesh(c.projectile, spacing, c.extent)};
+}
 
 /// Most plates of a target: more are better taken for one with other properties.
 inline constexpr std::size_t most_layers = 8;

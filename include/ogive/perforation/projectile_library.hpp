@@ -23,7 +23,9 @@ template <class T> struct Projectile {
   ProjectileShape<T> shape;        ///< SI units
   T mass{};                        ///< of the whole projectile, kg; 0: by the density of its metal
   bool rigid = false;              ///< moves and turns as one, and does not deform
-  Metal<T, AnyFlowLaw<T>> metal{}; ///< without damage
+  Metal<T, AnyFlowLaw<T>> metal{}; ///< without damage; of several parts that of the core
+  std::vector<std::string> part_metals{}; ///< of several parts: names of metals in the library of the programs, from
+                                          ///< the outside in
 };
 
 namespace library {
@@ -53,6 +55,40 @@ template <class T> Projectile<T> apm2_762_core() {
           T(5.25e-3),
           true,
           with_law<AnyFlowLaw<T>>(apm2_core_steel<T>())};
+}
+
+/// Points of a tangent ogive of this calibre-radius-head with a flat at the tip, and of the cylinder behind it, all m:
+/// `tip` is the radius of the flat, at z = `front`, and `rear` the end of the cylinder.
+template <class T> Profile<T> ogive_profile(T front, T rear, T radius, T tip, T calibre_radius_head) {
+  constexpr int points = 12;
+  const T arc = T(2) * calibre_radius_head * radius, inner = arc - radius + tip;
+  const T height = std::sqrt(arc * arc - inner * inner);
+  Profile<T> profile;
+  for (int k = 0; k <= points; ++k) {
+    const T before = height * (T(1) - T(k) / T(points));
+    profile.push_back({front + height - before, std::sqrt(arc * arc - before * before) - (arc - radius)});
+  }
+  profile.push_back({rear, radius});
+  return profile;
+}
+
+/// The whole 7.62 mm APM2 bullet: the hard core of apm2_762_core() in a jacket of gilding metal, with lead in front of
+/// the core and thin lead around it. Core and mass of the whole are as quoted, the other dimensions are from memory or
+/// chosen such that the masses of the parts add up to that of the whole: see `source`. The boat tail is left out. The
+/// parts share their nodes: a jacket does not come off.
+template <class T> Projectile<T> apm2_762() {
+  const T length = T(35.2e-3), core_front = T(6.2e-3);
+  ProjectileShape<T> s = projectile_of(ogive_profile(T(0), length, T(3.91e-3), T(0.6e-3), T(6)));
+  s.inner = {ogive_profile(core_front, core_front + T(27.6e-3), T(0.5 * 6.17e-3), T(0.15e-3), T(3)),
+             ogive_profile(T(1.5e-3), core_front + T(27.6e-3), T(3.25e-3), T(0.35e-3), T(6))};
+  return {"apm2_762",
+          "quoted: core, mass of the whole; from memory: diameter of 7.82 mm, length of 35.2 mm; assumption: thickness of "
+          "jacket and lead, ogive of the jacket, no boat tail, parts share nodes",
+          s,
+          T(10.7e-3),
+          false,
+          with_law<AnyFlowLaw<T>>(apm2_core_steel<T>()),
+          {"gilding_metal", "lead", "apm2_core_steel"}};
 }
 
 /// A fragment simulator: a cylinder of this diameter (m) and mass (kg) with a chisel nose, two flats at 35 degrees from
@@ -87,6 +123,7 @@ template <class T> std::vector<Projectile<T>> all_projectiles() {
   std::vector<Projectile<T>> all;
   for (const Nose nose : paper_noses) all.push_back(tool_steel_projectile<T>(nose));
   all.push_back(tool_steel_projectile<T>(Nose::sphere));
+  all.push_back(apm2_762<T>());
   all.push_back(apm2_762_core<T>());
   all.push_back(fsp_20mm<T>());
   all.push_back(fsp_127mm<T>());

@@ -36,8 +36,8 @@ template <class M> auto &plate_particles(M &model, std::size_t layer = 0) {
 }
 /// The hexes of a plate: around its particles, or all of it.
 template <class M> auto &plate_hexes(M &model, std::size_t layer = 0) { return model.bodies.plate_hexes[layer]; }
-/// The projectile.
-template <class M> auto &projectile(M &model) { return model.bodies.projectile; }
+/// A part of the projectile: the only one, or the first. All parts have the nodes of the whole projectile.
+template <class M> auto &projectile(M &model, std::size_t part = 0) { return model.bodies.projectile[part]; }
 
 /// Holds the nodes of a range at `radius` (m) from the z axis or beyond in all directions.
 template <class T> void clamp_at_radius(Nodes<T> &nodes, NodeRange range, T radius) {
@@ -52,14 +52,24 @@ template <class T> T whole_mass(const std::vector<T> &point_mass, SymmetryPlanes
   return T(symmetry.copies()) * mass;
 }
 
-/// Raises the stable time step of thin hexes towards `dt` (s) by adding mass to their nodes, as far as `largest` (kg)
-/// allows.
-template <class T, class Body> void raise_time_step_within(Body &body, Nodes<T> &nodes, T dt, T largest) {
+/// Mass of the projectile, kg, of the whole model.
+template <class M> auto projectile_mass(const M &model) {
+  auto mass = whole_mass(projectile(model).point_mass, model.symmetry);
+  for (std::size_t k = 1; k < model.bodies.projectile.size(); ++k)
+    mass += whole_mass(projectile(model, k).point_mass, model.symmetry);
+  return mass;
+}
+
+/// Raises the stable time step of thin hexes of the parts of a body towards `dt` (s) by adding mass to their nodes, as
+/// far as `largest` (kg) allows.
+template <class T, class Body> void raise_time_step_within(std::vector<Body> &parts, Nodes<T> &nodes, T dt, T largest) {
   for (;; dt *= T(0.8)) {
-    Body heavier = body;
+    std::vector<Body> heavier = parts;
     Nodes<T> loaded = nodes;
-    if (raise_time_step(heavier, loaded, dt) > largest) continue;
-    body = std::move(heavier);
+    T added{};
+    for (Body &part : heavier) added += raise_time_step(part, loaded, dt);
+    if (added > largest) continue;
+    parts = std::move(heavier);
     nodes = std::move(loaded);
     return;
   }
@@ -106,16 +116,27 @@ template <class T> HexMesh<T> in_line_of_flight(HexMesh<T> mesh, const Perforati
 /// paper's projectiles have to 0.1 %, or of the hexes themselves.
 template <class T> T reference_volume(const PerforationCase<T> &c, const HexMesh<T> &mesh) {
   const auto &noses = paper_noses;
-  const bool of_shape =
-      std::find(noses.begin(), noses.end(), c.projectile.nose) != noses.end() && c.projectile.tail_length == T(0);
+  const bool of_shape = std::find(noses.begin(), noses.end(), c.projectile.nose) != noses.end() &&
+                        c.projectile.tail_length == T(0) && c.projectile.inner.empty();
   return of_shape ? volume(c.projectile) : T(symmetry_planes(c.extent).copies()) * volume(mesh);
 }
 
-/// The metal with the density that gives the projectile of a case its target mass.
+/// The metals of the parts with the densities that give the projectile of a case its target mass: all densities change
+/// by the same factor.
 template <class T, class Law>
-Metal<T, Law> metal_of_mass(Metal<T, Law> metal, const PerforationCase<T> &c, const HexMesh<T> &mesh) {
-  if (c.projectile_mass != T(0)) metal.density = c.projectile_mass / reference_volume(c, mesh);
-  return metal;
+std::vector<Metal<T, Law>> metals_of_mass(std::vector<Metal<T, Law>> metals, const PerforationCase<T> &c,
+                                          const PartMesh<T> &body) {
+  if (c.projectile_mass == T(0)) return metals;
+  if (metals.size() == 1) {
+    metals.front().density = c.projectile_mass / reference_volume(c, body.mesh);
+    return metals;
+  }
+  T mass{};
+  const std::vector<T> volumes = part_volumes(body);
+  for (std::size_t k = 0; k < metals.size(); ++k) mass += metals[k].density * volumes[k];
+  const T factor = c.projectile_mass / (T(symmetry_planes(c.extent).copies()) * mass);
+  for (auto &metal : metals) metal.density *= factor;
+  return metals;
 }
 
 /// Throws SetupError unless the sizes of a case fit together.
@@ -151,24 +172,43 @@ template <class T> void check(const PerforationCase<T> &c) {
           "must be positive");
 }
 
-/// Adds the projectile, which touches the first plate and flies at it.
+/// Adds the projectile, which touches the first plate and flies at it: a body for each part, all on the same nodes.
 template <class Rule, class T, class Law>
-HexBody<T, Law, Rule> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &c, const HexMesh<T> &mesh,
-                                     const Metal<T, Law> &metal, const HexOptions<T> &options, T tolerance, Rule rule) {
-  auto shot = add_hex_body<Rule>(nodes, mesh, metal_of_mass(metal, c, mesh), "projectile", options, rule);
-  hold_on_planes(nodes, shot.nodes, symmetry_planes(c.extent), tolerance);
-  set_velocity(nodes, shot.nodes, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
-  return shot;
+std::vector<HexBody<T, Law, Rule>> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &c, const PartMesh<T> &body,
+                                                  const std::vector<Metal<T, Law>> &metals,
+                                                  const HexOptions<T> &options, T tolerance, Rule rule) {
+  require(metals.size() == body.parts.size(), "number of the projectile's metals", metals.size(),
+          "must be " + std::to_string(body.parts.size()) + ", one for each part");
+  const auto heavy = metals_of_mass(metals, c, body);
+  std::vector<HexBody<T, Law, Rule>> parts;
+  if (metals.size() == 1) {
+    parts.push_back(add_hex_body<Rule>(nodes, body.mesh, heavy.front(), "projectile", options, rule));
+  } else {
+    const NodeRange range = add_nodes(nodes, body.mesh.positions);
+    for (std::size_t k = 0; k < metals.size(); ++k) {
+      Nodes<T> own;
+      auto &part = parts.emplace_back(add_hex_body<Rule>(own, mesh_of_part(body, k), heavy[k],
+                                                         "projectile_" + body.parts[k], options, rule));
+      part.nodes = range;
+      for (auto &hex : part.hexes)
+        for (Index &n : hex) n += range.begin;
+      for (Index n = 0; n < range.size(); ++n) nodes.mass[range.begin + n] += own.mass[n];
+    }
+  }
+  const NodeRange range = parts.front().nodes;
+  hold_on_planes(nodes, range, symmetry_planes(c.extent), tolerance);
+  set_velocity(nodes, range, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
+  return parts;
 }
 
 /// Builds the model of a case with a metal for each plate, from front to rear: each clamped at its outer radius, a disc
-/// of particles tied to a rim of hexes; and a projectile that touches the first plate and flies towards -z. Plates touch
-/// each other without friction. Throws SetupError for sizes that do not fit together.
+/// of particles tied to a rim of hexes; and a projectile, with a metal for each part, that touches the first plate and
+/// flies towards -z. Plates touch each other without friction. Throws SetupError for sizes that do not fit together.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
           class ShotLaw>
 PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
 make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &metals,
-                 const Metal<T, ShotLaw> &projectile_metal, PerforationOptions<T> options = {},
+                 const std::vector<Metal<T, ShotLaw>> &projectile_metals, PerforationOptions<T> options = {},
                  const Discretisation<Kernel, Form, Rule> &parts = {}) {
   check(c);
   const std::size_t layers = 1 + c.behind.size();
@@ -184,26 +224,31 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
     clamp_at_radius(nodes, body.nodes, c.clamp_radius);
   }
 
-  const HexMesh<T> shot_mesh = in_line_of_flight(projectile_mesh(c.projectile, spacing, c.extent), c);
-  auto shot = add_projectile(nodes, c, shot_mesh, projectile_metal, options.hex, tolerance, parts.rule);
+  PartMesh<T> shot_body = projectile_body(c, spacing);
+  shot_body.mesh = in_line_of_flight(std::move(shot_body.mesh), c);
+  auto shot = add_projectile(nodes, c, shot_body, projectile_metals, options.hex, tolerance, parts.rule);
   T step_of_particles = std::numeric_limits<T>::max(), step_of_contact = step_of_particles;
   for (const auto &body : particles) {
     step_of_particles = std::min(step_of_particles, stable_time_step(body, nodes));
     step_of_contact = std::min(step_of_contact, options.contact_courant * body.spacing / sound_speed(body.metal));
   }
-  if (!c.rigid_projectile)
-    raise_time_step_within(shot, nodes, step_of_particles,
-                           options.largest_added_mass * whole_mass(shot.point_mass, {}));
+  if (!c.rigid_projectile) {
+    T mass{};
+    for (const auto &part : shot) mass += whole_mass(part.point_mass, {});
+    raise_time_step_within(shot, nodes, step_of_particles, options.largest_added_mass * mass);
+  }
 
   Slaves<T> slaves;
   for (const auto &body : particles) add_slaves(slaves, body.nodes, T(0.5) * body.spacing);
   for (const auto &body : hexes) add_slaves(slaves, body.nodes, T(0));
-  auto contact = make_contact(nodes, std::move(slaves.nodes), std::move(slaves.offset),
-                              shifted(contact_facets(shot_mesh, c.extent), shot.nodes.begin), "plate on projectile",
-                              ContactOptions<T>{.friction = c.friction,
-                                                .stiffness = options.contact_stiffness,
-                                                .rigid_masters = c.rigid_projectile},
-                              planes);
+  const ContactOptions<T> surface{.friction = c.friction,
+                                  .stiffness = options.contact_stiffness,
+                                  .rigid_masters = c.rigid_projectile,
+                                  .reentrant = c.projectile.is_hollow || c.projectile.nose == Nose::mesh};
+  auto contact = make_contact(
+      nodes, std::move(slaves.nodes), std::move(slaves.offset),
+      shifted(facets_of_parts(contact_facets(shot_body.mesh, c.extent), shot_body), shot.front().nodes.begin),
+      "plate on projectile", surface, planes);
   contact.state.reference_time_step = step_of_contact;
   std::vector<NodeToSurface<T>> contacts{std::move(contact)};
   std::vector<ParticleContact<T>> particle_contacts;
@@ -225,13 +270,23 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   return model;
 }
 
-/// The same with one metal for all plates.
+///@{
+/// The same with one metal for the projectile, and with one for all plates as well.
+template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
+          class ShotLaw>
+PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
+make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &metals,
+                 const Metal<T, ShotLaw> &projectile_metal, PerforationOptions<T> options = {},
+                 const Discretisation<Kernel, Form, Rule> &parts = {}) {
+  return make_perforation(c, metals, std::vector{projectile_metal}, options, parts);
+}
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
           class ShotLaw>
 PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
 make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate, const Metal<T, ShotLaw> &projectile_metal,
                  PerforationOptions<T> options = {}, const Discretisation<Kernel, Form, Rule> &parts = {}) {
-  return make_perforation(c, std::vector(1 + c.behind.size(), plate), projectile_metal, options, parts);
+  return make_perforation(c, std::vector(1 + c.behind.size(), plate), std::vector{projectile_metal}, options, parts);
 }
+///@}
 
 } // namespace ogive

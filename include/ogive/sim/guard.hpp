@@ -119,8 +119,11 @@ Index first_turned(const NodeToSurface<T> &contact, const HexBody<T, Law, Rule> 
   const Index count = static_cast<Index>(contact.facets.size());
   const Index first = parallel_min(count, count, [&](Index f) {
     const Facet &facet = contact.facets[f];
-    if (facet.nodes[0] < body.nodes.begin || facet.nodes[0] >= body.nodes.end || is_removed(body, facet.hex))
-      return count;
+    if (facet.hex < 0 || facet.hex >= static_cast<Index>(body.hexes.size())) return count;
+    // Parts of a projectile share their nodes: the hex of that number may be another part's.
+    const auto &hex = body.hexes[facet.hex];
+    const auto is_corner = [&](Index n) { return std::find(hex.begin(), hex.end(), n) != hex.end(); };
+    if (!std::all_of(facet.nodes.begin(), facet.nodes.end(), is_corner) || is_removed(body, facet.hex)) return count;
     const auto at = [&](int k) -> const Vec3<T> & { return nodes.position[facet.nodes[k]]; };
     const Vec3<T> area = cross<T>(at(2) - at(0), at(3) - at(1));
     const Vec3<T> middle = T(0.25) * (at(0) + at(1) + at(2) + at(3));
@@ -136,8 +139,8 @@ Index first_turned(const NodeToSurface<T> &, const SphBody<T, Law, K, F> &, cons
   return -1;
 }
 
-/// A facet of a contact that has turned inside out, if any: the hex behind it has folded, and the surface has no outside
-/// there.
+/// A facet of a contact that has turned inside out, if any: the hex behind it has folded, and the surface has no
+/// outside there.
 template <class T, class Bodies> std::optional<Fault> find_turned(const Model<T, Bodies> &model) {
   std::optional<Fault> fault;
   for (const auto &contact : model.contacts) {

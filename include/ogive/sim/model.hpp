@@ -24,7 +24,7 @@ namespace ogive {
 template <class Particles, class Hexes, class Projectile> struct PerforationBodies {
   std::vector<Particles> plate_particles; ///< of each plate, from front to rear
   std::vector<Hexes> plate_hexes;         ///< of each plate, from front to rear
-  Projectile projectile;                  ///< of hexes
+  std::vector<Projectile> projectile;     ///< its parts, at least one: hexes on the same range of nodes, a metal each
 };
 
 ///@{
@@ -38,12 +38,12 @@ template <class... Bodies, class F> void for_each_body_of(const std::tuple<Bodie
 template <class P, class H, class S, class F> void for_each_body_of(PerforationBodies<P, H, S> &bodies, F &&f) {
   for (P &particles : bodies.plate_particles) f(particles);
   for (H &hexes : bodies.plate_hexes) f(hexes);
-  f(bodies.projectile);
+  for (S &part : bodies.projectile) f(part);
 }
 template <class P, class H, class S, class F> void for_each_body_of(const PerforationBodies<P, H, S> &bodies, F &&f) {
   for (const P &particles : bodies.plate_particles) f(particles);
   for (const H &hexes : bodies.plate_hexes) f(hexes);
-  f(bodies.projectile);
+  for (const S &part : bodies.projectile) f(part);
 }
 ///@}
 
