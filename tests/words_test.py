@@ -6,6 +6,7 @@ Reads README.md, CONTRIBUTING.md, the pages in docs/ and, with a program, `ogive
 Code, addresses and generated tables are not read. Each find is reported with its file, its line and the remedy.
 """
 import bisect
+import functools
 import pathlib
 import re
 import subprocess
@@ -45,6 +46,7 @@ NAMES_WITH_NUMBERS = re.compile(
     r"C\+\+\d+|\b2×2×2\b|\b[a-z] [=≥≤] 0\b|\b(?:Weldox|Hardox|Arne|Armox) \d+(?: [ET])?|\bAA\d+(?:-\w+)?|\b\d-node\b|\b(?:Figs?|Eqs?|Tables?|Version|version)\.? "
     r"[\d.]+(?:(?: to | and |, |–)\d+)*|\b(?:18|19|20)\d\d\b|\(\d{4}[^)]*\)|\b\d+:\d+(?:–\d+)?|\b10\.\d{4,}/\S+"
     r"|\b(?:Debian|GCC|g\+\+|clang|CMake|Eigen|VTK|Catch|Catch2|Python|Firefox|Chromium|Safari|WebGL|AVX|AVX-|status) ?[\d.]+")
+COMMAND = re.compile(r"^  ([a-z]+)  +\S", re.M)
 NUMBER = re.compile(r"(?<![\w.^_/{\\-])[−+-]?\d+(?:[.,]\d+)*(?![\w}])")
 
 
@@ -99,12 +101,13 @@ def documents():
     return {str(page.relative_to(ROOT)): prose(page.read_text(encoding="utf-8")) for page in pages}
 
 
+@functools.cache
 def help_texts():
     def text_of(*arguments):
         return subprocess.run([OGIVE, *arguments], capture_output=True, text=True, check=True).stdout
 
     overview = text_of("--help")
-    commands = re.findall(r"^  ([a-z]+)  +\S", overview, re.M)
+    commands = COMMAND.findall(overview)
     return {"ogive --help": overview,
             **{f"ogive {command} --help-all": text_of(command, "--help-all") for command in commands if command != "completion"}}
 
@@ -124,6 +127,12 @@ class Words(unittest.TestCase):
         texts = help_texts()
         self.assertGreater(len(texts), 8)
         self.assert_plain(texts)
+
+    @unittest.skipUnless(OGIVE, "needs the program")
+    def test_guide_lists_every_command(self):
+        guide = (ROOT / "docs/doxygen/guide.md").read_text(encoding="utf-8")
+        for command in COMMAND.findall(help_texts()["ogive --help"]):
+            self.assertIn(f"| `ogive {command}` |", guide)
 
     def test_numbers(self):
         finds = []
