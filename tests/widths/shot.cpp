@@ -3,6 +3,7 @@
 #include "sim/blocks.hpp"
 
 #include "ogive/contact/force.hpp"
+#include "ogive/mesh/facets.hpp"
 
 using namespace sim_test;
 
