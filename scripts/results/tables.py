@@ -11,7 +11,7 @@ from .insert import insert
 from .sweeps import Sweep
 
 BRACKETS = ("Tests in brackets: no measured shot but the curve of Recht and Ipson through the measured limit, which is known "
-            "to 5 m/s; just above it the curve says little.")
+            "to 5 m/s; just above it the curve is uncertain.")
 STEEL = ("Weldox 460 E", "blunt")
 
 

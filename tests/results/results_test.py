@@ -394,7 +394,7 @@ class Tables(unittest.TestCase):
     def test_values_that_are_missing(self):
         self.leave("stabilised_6mm", "base", initial_velocity_mps=170, residual_velocity_mps=0.0, failed_particles=26,
                    dishing_mm=13.92)
-        self.assertEqual(self.table("stabilised")[-1], "| 6 mm, as it is | 170.0 | – | 0.0 | – | 26 | 13.92 | – | – | – |")
+        self.assertEqual(self.table("stabilised")[-1], "| 6 mm, default | 170.0 | – | 0.0 | – | 26 | 13.92 | – | – | – |")
 
     def leave_limits(self, folder, *rows):
         (self.folder / folder).mkdir()
