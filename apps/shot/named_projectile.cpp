@@ -86,6 +86,8 @@ std::vector<Given> givens_of(const ogive::Projectile<double> &p, const std::stri
   if (!metals.entries.empty()) all.push_back(metals);
   if (p.shape.nose == Nose::profile) {
     give_profile("profile_mm", p.shape.profile);
+    give("diameter_mm", in_thousandths(p.shape.diameter));
+    give("length_mm", in_thousandths(ogive::length(p.shape)));
     give("mass_g", in_thousandths(p.mass));
     give("projectile_metal", p.metal.name);
     give("rigid", p.rigid ? "true" : "false");

@@ -82,10 +82,10 @@ struct Options {
   double bore_depth_mm = 0;              ///< of that bore
   std::vector<double> filler_profile_mm; ///< z and r of the surface within the jacket in turn; empty: no filler
   std::vector<double> core_profile_mm;   ///< likewise of the core; empty: no core
-  double mass_g = 0;              ///< of the projectile; 0: by the density of its metal
-  double obliquity_deg = 0;       ///< between the line of flight and the plate's axis
-  double pitch_deg = 0;           ///< of the projectile's axis against the line of flight, in the plane of both
-  double yaw_deg = 0;             ///< likewise out of that plane
+  double mass_g = 0;                     ///< of the projectile; 0: by the density of its metal
+  double obliquity_deg = 0;              ///< between the line of flight and the plate's axis
+  double pitch_deg = 0;                  ///< of the projectile's axis against the line of flight, in the plane of both
+  double yaw_deg = 0;                    ///< likewise out of that plane
   double velocity_mps = 303.5;
   double friction = 0;  ///< Coulomb; parse() takes default_friction() where none is given
   double settle_us = 0; ///< after the shot is decided

@@ -20,8 +20,8 @@ double metres(MeshUnit unit);
 
 /// What was read of a file.
 struct MeshOfFile {
-  std::string bytes;              ///< of the file, to be copied
-  ogive::FileMesh mesh;           ///< as it is there
+  std::string bytes;               ///< of the file, to be copied
+  ogive::FileMesh mesh;            ///< as it is there
   ogive::OwnProjectile projectile; ///< for the extent of the model
 };
 
@@ -40,7 +40,8 @@ std::string allowed_mesh_files();
 bool is_mesh_file(const std::string &name);
 
 /// Reads a mesh for an extent of the model. `origin` names the option in errors. Throws SetupError.
-OwnMesh read_own_mesh(const std::filesystem::path &file, MeshUnit unit, ogive::Extent extent, const std::string &origin);
+OwnMesh read_own_mesh(const std::filesystem::path &file, MeshUnit unit, ogive::Extent extent,
+                      const std::string &origin);
 
 /// Name of the copy of a mesh in the folder of the results.
 std::string mesh_copy_name(const std::string &file);

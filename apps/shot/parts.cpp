@@ -77,8 +77,7 @@ Given part_metals_given(const Given &tables) {
   };
   if (tables.entries.empty()) bad(tables);
   for (const Given &part : tables.entries) {
-    if (part.entries.size() != 1 || part.entries.front().key != "metal" ||
-        part.entries.front().kind != Given::text)
+    if (part.entries.size() != 1 || part.entries.front().key != "metal" || part.entries.front().kind != Given::text)
       bad(part);
     const Given &metal = part.entries.front();
     metals.entries.push_back({"part_metals", metal.where, entry_of({part.key, metal.value}), Given::text});

@@ -234,7 +234,8 @@ std::string metals_text(const Options &o, const Plates &plates) {
   const auto names = part_materials(o);
   if (std::none_of(names.begin(), names.end(), is_material_file)) return text;
   const char *comment = next_projectile;
-  for (const AnyMetal &metal : projectile_metals_of(o)) text += materials::to_toml(metal, std::exchange(comment, next_part));
+  for (const AnyMetal &metal : projectile_metals_of(o))
+    text += materials::to_toml(metal, std::exchange(comment, next_part));
   return text;
 }
 

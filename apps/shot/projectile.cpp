@@ -64,7 +64,8 @@ double default_length_mm(const Options &o) {
 }
 
 ogive::ProjectileShape<double> shape_of(const Options &o) {
-  if (o.nose == Nose::mesh) return o.own_mesh.read ? o.own_mesh.read->projectile.shape : ogive::ProjectileShape<double>{};
+  if (o.nose == Nose::mesh)
+    return o.own_mesh.read ? o.own_mesh.read->projectile.shape : ogive::ProjectileShape<double>{};
   if (o.nose == Nose::profile) return with_inner(ogive::projectile_of(profile_of(o.profile_mm)), o);
   auto shape = scaled_shape(o);
   if (is_pointed(o) && o.nose_length_mm != default_nose_length_mm(o)) shape.nose_length = o.nose_length_mm * 1e-3;
@@ -87,7 +88,8 @@ bool is_of_the_tests(const Options &o) {
 std::string projectile_label(const Options &o) {
   if (!o.projectile.empty()) return materials::label_of(o.projectile);
   if (o.nose == Nose::profile && !o.profile.empty()) return std::filesystem::path(o.profile).stem().string();
-  if (o.nose == Nose::mesh && !o.projectile_mesh.empty()) return std::filesystem::path(o.projectile_mesh).stem().string();
+  if (o.nose == Nose::mesh && !o.projectile_mesh.empty())
+    return std::filesystem::path(o.projectile_mesh).stem().string();
   return name_of(o.nose);
 }
 
@@ -153,11 +155,13 @@ void settle_inner(const Options &o, const options::Origins &origins) {
     refuse_value(origins, "bore_depth_mm", o.bore_depth_mm, "needs --bore-radius-mm");
   if (o.bore_radius_mm != 0 && !(o.bore_depth_mm > 0))
     refuse_value(origins, "bore_depth_mm", o.bore_depth_mm, "must be positive with --bore-radius-mm");
-  for (const auto &[key, values] : {std::pair{"core_profile_mm", &o.core_profile_mm}, {"filler_profile_mm", &o.filler_profile_mm}}) {
+  for (const auto &[key, values] :
+       {std::pair{"core_profile_mm", &o.core_profile_mm}, {"filler_profile_mm", &o.filler_profile_mm}}) {
     if (values->size() % 2 != 0)
       refuse_value(origins, key, values->size(), "must be an even number of values, z and r in turn");
     if (!values->empty() && o.bore_radius_mm != 0)
-      refuse_value(origins, "bore_radius_mm", o.bore_radius_mm, std::string("contradicts ") + key + ": give one of them");
+      refuse_value(origins, "bore_radius_mm", o.bore_radius_mm,
+                   std::string("contradicts ") + key + ": give one of them");
   }
   if (o.core_profile_mm.empty() && !o.filler_profile_mm.empty())
     refuse_value(origins, "filler_profile_mm", o.filler_profile_mm.size(), "needs --core-profile-mm");
@@ -198,7 +202,8 @@ void settle_nose(Options &o, const options::Origins &origins) {
       options::refuse(options::origin_of(origins, "projectile_mesh"), o.projectile_mesh,
                       "contradicts profile: give one of them");
     o.nose = Nose::mesh;
-    o.own_mesh = read_own_mesh(o.projectile_mesh, o.mesh_unit, o.extent, options::origin_of(origins, "projectile_mesh"));
+    o.own_mesh =
+        read_own_mesh(o.projectile_mesh, o.mesh_unit, o.extent, options::origin_of(origins, "projectile_mesh"));
     return;
   }
   if (o.nose == Nose::mesh) refuse_value(origins, "nose", o.nose, "needs --projectile-mesh FILE");

@@ -27,8 +27,8 @@ struct Sizes {
   double projectile_mass_g = 0;
   double projectile_volume_mm3 = 0;
   std::vector<std::pair<std::string, double>> part_masses_g; ///< of a projectile of several parts, with their names
-  double added_mass_g = 0;        ///< for the time step, at a sharp tip
-  double projectile_jacobian = 0; ///< smallest scaled one of its hexes, 1 for bricks
+  double added_mass_g = 0;                                   ///< for the time step, at a sharp tip
+  double projectile_jacobian = 0;                            ///< smallest scaled one of its hexes, 1 for bricks
   double time_step_us = 0;
 };
 

@@ -117,7 +117,8 @@ std::optional<std::string> other_case(const Options &options) {
       const bool of_metal =
           key == "material" || key == "layer_materials" || key == "projectile_metal" || key == "part_metals";
       // Labels: what they name is compared by the other keys.
-      const bool is_label = key == "profile" || key == "projectile_mesh" || (key == "projectile" && materials::is_material_file(mine.projectile));
+      const bool is_label = key == "profile" || key == "projectile_mesh" ||
+                            (key == "projectile" && materials::is_material_file(mine.projectile));
       const bool counts = key == "settle_us" || here[k].group != run_group;
       if (counts && !of_metal && !is_label && here[k].toml() != there[k].toml()) return key;
     }

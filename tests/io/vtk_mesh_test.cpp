@@ -70,7 +70,8 @@ TEST_CASE("VTK files that hold no mesh of hexes are refused") {
   grid->InsertNextCell(VTK_TETRA, 4, tetrahedron);
   grid->GetCellData()->Initialize();
   write_vtu(file, grid);
-  CHECK(refused() == file.string() + ": cell 8: type = 10: must be 12, a hex of eight nodes; other cells cannot be mixed in");
+  CHECK(refused() ==
+        file.string() + ": cell 8: type = 10: must be 12, a hex of eight nodes; other cells cannot be mixed in");
   auto body = two_parts();
   body.mesh.hexes[3][7] = body.mesh.hexes[3][6];
   write_vtu(file, grid_of(body));

@@ -60,7 +60,8 @@ TEST_CASE("core, filler and jacket share nodes and have their volumes", "[mesh]"
     for (std::size_t k = 0; k < 3; ++k) CHECK(4 * volumes[k] == Approx(expected[k]).epsilon(5e-3));
     CHECK(mesh_quality(body.mesh).smallest_scaled_jacobian > 0.4);
     // One closed body: all facets of its surface lie on the outer one, on the flats or in the mirror planes.
-    const auto outer = facets_off_planes(boundary_facets(body.mesh), body.mesh.positions, symmetry_planes(Extent::quarter), 0.0);
+    const auto outer =
+        facets_off_planes(boundary_facets(body.mesh), body.mesh.positions, symmetry_planes(Extent::quarter), 0.0);
     for (const Facet &facet : outer)
       for (const Index n : facet.nodes) {
         const auto &x = body.mesh.positions[n];
@@ -73,16 +74,19 @@ TEST_CASE("core, filler and jacket share nodes and have their volumes", "[mesh]"
 TEST_CASE("surfaces within a projectile that cannot be are refused", "[mesh]") {
   auto shape = tube(25e-3);
   shape.inner.front()[1].radius = 9.9e-3;
-  CHECK_THAT(refusal([&] { check_inner(shape); }), StartsWith("radius at z = 0.040000 m of inner surface 1 (m) = 0.0099: "
-                                                             "must be at most 0.98 of the surface around it"));
+  CHECK_THAT(refusal([&] { check_inner(shape); }),
+             StartsWith("radius at z = 0.040000 m of inner surface 1 (m) = 0.0099: "
+                        "must be at most 0.98 of the surface around it"));
   shape = tube(25e-3);
   shape.inner.front()[1].z = 41e-3;
-  CHECK_THAT(refusal([&] { check_inner(shape); }), StartsWith("last z of inner surface 1 (m) = 0.041: must be at most"));
+  CHECK_THAT(refusal([&] { check_inner(shape); }),
+             StartsWith("last z of inner surface 1 (m) = 0.041: must be at most"));
   shape.inner.front()[0].z = -1e-3;
   CHECK_THAT(refusal([&] { check_inner(shape); }), StartsWith("first z of inner surface 1 (m) = -0.001: must not be"));
   shape = tube(25e-3);
   shape.nose = Nose::sphere;
-  CHECK_THAT(refusal([&] { check_inner(shape); }), StartsWith("nose of a projectile with parts or a bore = sphere: must be"));
+  CHECK_THAT(refusal([&] { check_inner(shape); }),
+             StartsWith("nose of a projectile with parts or a bore = sphere: must be"));
   shape = tube(25e-3);
   shape.inner.resize(3, shape.inner.front());
   CHECK_THAT(refusal([&] { check_inner(shape); }), StartsWith("surfaces within the projectile = 3: must be at most 2"));

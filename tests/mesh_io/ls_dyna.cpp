@@ -69,16 +69,16 @@ TEST_CASE("damaged LS-DYNA meshes are refused with file, line and reason") {
   CHECK(refused("") == "a.k: hexes = 0: must be at least 1");
   CHECK(refused(nodes) == "a.k: hexes = 0: must be at least 1");
   CHECK(refused("*INCLUDE\nother.k\n") == "a.k:1: *INCLUDE: other files are not read; put the mesh into one file");
-  CHECK(refused(solids + solid + "*ELEMENT_SHELL\n") ==
-        "a.k:13: *ELEMENT_SHELL: must be *ELEMENT_SOLID, hexes alone");
+  CHECK(refused(solids + solid + "*ELEMENT_SHELL\n") == "a.k:13: *ELEMENT_SHELL: must be *ELEMENT_SOLID, hexes alone");
   CHECK(refused("*NODE_TRANSFORM\n") == "a.k:1: *NODE_TRANSFORM: must be *NODE");
   CHECK(refused(nodes + "       7             1.0             1.0             1.0\n") ==
         "a.k:11: node 7: is given a second time");
   CHECK(refused(solids + solid + solid) == "a.k:13: hex 12: is given a second time, the first is in line 12");
   CHECK(refused(solids + "      12       3       1       2       3       4      15       6       7       9\n") ==
         "a.k:12: hex 12: node 9: must be a node of the file");
-  CHECK(refused(solids + "      12       3       1       2       3       4      15      15      15      15\n") ==
-        "a.k:12: hex 12: has node 15 twice: wedges, pyramids and tetrahedra cannot be taken, only hexes of eight nodes");
+  CHECK(
+      refused(solids + "      12       3       1       2       3       4      15      15      15      15\n") ==
+      "a.k:12: hex 12: has node 15 twice: wedges, pyramids and tetrahedra cannot be taken, only hexes of eight nodes");
   CHECK(refused(solids + "12,3,1,2,3,4,15,6,7\n") == "a.k:12: hex 12: nodes = 7: must be 8");
   CHECK(refused(solids + "12,3,1,2,3,4,15,6,7,8,9,10\n") == "a.k:12: hex 12: has 9 nodes: must be a hex of 8");
   CHECK(refused(solids + "      12       3\n*END\n") == "a.k:12: hex 12: its nodes are missing");

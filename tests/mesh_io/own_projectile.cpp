@@ -57,9 +57,11 @@ TEST_CASE("a quarter and a half of a symmetric mesh are cut, its tip comes to z 
     for (const auto &x : own.body.mesh.positions) lowest = std::min(lowest, x[2]);
     CHECK(lowest == 0);
     // Nodes in mirror planes lie there to the last bit.
-    CHECK(boundary_facets(own.body.mesh).size() >
-          facets_off_planes(boundary_facets(own.body.mesh), own.body.mesh.positions, symmetry_planes(Extent::quarter), 0.0)
-              .size() * (extent == Extent::full ? 0 : 1));
+    CHECK(boundary_facets(own.body.mesh).size() > facets_off_planes(boundary_facets(own.body.mesh),
+                                                                    own.body.mesh.positions,
+                                                                    symmetry_planes(Extent::quarter), 0.0)
+                                                          .size() *
+                                                      (extent == Extent::full ? 0 : 1));
   }
 }
 
@@ -99,8 +101,9 @@ TEST_CASE("meshes that are no closed symmetric body of good hexes are refused wi
   auto body = block();
   std::swap(body.mesh.hexes[2][0], body.mesh.hexes[2][4]), std::swap(body.mesh.hexes[2][1], body.mesh.hexes[2][5]);
   std::swap(body.mesh.hexes[2][2], body.mesh.hexes[2][6]), std::swap(body.mesh.hexes[2][3], body.mesh.hexes[2][7]);
-  CHECK(refused(body) == "a.k:52: hex 3: is inverted, the smallest Jacobian of its corners = -12 mm3: must be positive; "
-                         "nodes 1 to 4 are the lower face, counter-clockwise seen from nodes 5 to 8 above");
+  CHECK(refused(body) ==
+        "a.k:52: hex 3: is inverted, the smallest Jacobian of its corners = -12 mm3: must be positive; "
+        "nodes 1 to 4 are the lower face, counter-clockwise seen from nodes 5 to 8 above");
 
   body = block();
   body.mesh.positions[16][0] = -0.1e-3, body.mesh.positions[16][1] = 1.95e-3, body.mesh.positions[16][2] = 6.9e-3;
@@ -113,24 +116,29 @@ TEST_CASE("meshes that are no closed symmetric body of good hexes are refused wi
   body.mesh.positions[0][2] += 1e-9; // is nobody's any more
   CHECK(refused(body, Extent::full) == "");
 
+  body = bricks({0, 1e-6}, {0, 1e-6}, {4.0, 4.000001});
+  CHECK(refused(body) ==
+        "a.k: width = 0.00173 mm: must be at least a millionth of the distance from the origin, 4e+03 mm");
+
   body = bricks({0, 1e-3}, {0, 1e-3}, {0, 1e-3, 2e-3});
   const Index shift = static_cast<Index>(body.mesh.positions.size());
   for (Index n = 4; n < 8; ++n) body.mesh.positions.push_back(body.mesh.positions[n]);
   for (int a = 0; a < 4; ++a) body.mesh.hexes[1][a] += shift - 4;
-  CHECK(refused(body) == "a.k: node 5: lies where node 13 lies, at (0, 0, 1) mm: must be one node, parts share the nodes "
-                         "where they meet");
+  CHECK(refused(body) ==
+        "a.k: node 5: lies where node 13 lies, at (0, 0, 1) mm: must be one node, parts share the nodes "
+        "where they meet");
 
   body = bricks({0, 1e-3}, {0, 1e-3}, {0, 1e-3, 2e-3, 3e-3});
   body.mesh.hexes.erase(body.mesh.hexes.begin() + 1);
-  CHECK(refused(body) ==
-        "a.k:22: hex 2: is not connected to hex 1: all hexes must be one body, connected by faces");
+  CHECK(refused(body) == "a.k:22: hex 2: is not connected to hex 1: all hexes must be one body, connected by faces");
   body.mesh.hexes = {body.mesh.hexes[0], body.mesh.hexes[0]};
   CHECK_THAT(refused(body), Catch::Matchers::Contains("hex 2: overlaps hex 1: a face may belong to two hexes"));
 
   // Two bricks that meet along an edge, connected by a third and a fourth elsewhere.
   body = bricks({0, 1e-3, 2e-3}, {0, 1e-3, 2e-3}, {0, 1e-3, 2e-3});
   body.mesh.hexes.erase(body.mesh.hexes.begin() + 5), body.mesh.hexes.erase(body.mesh.hexes.begin() + 5);
-  CHECK_THAT(refused(body), Catch::Matchers::EndsWith("belongs to 4 faces of the surface: must be 2, a closed surface"));
+  CHECK_THAT(refused(body),
+             Catch::Matchers::EndsWith("belongs to 4 faces of the surface: must be 2, a closed surface"));
 }
 
 TEST_CASE("a mesh that cannot be cut is refused with the plane") {
@@ -140,15 +148,17 @@ TEST_CASE("a mesh that cannot be cut is refused with the plane") {
   body = block();
   for (auto &x : body.mesh.positions)
     if (x[0] == 4e-3) x[0] = 5e-3;
-  CHECK(refused(body) == "a.k: node 1: has no image at (4, -2, 1) mm: the mesh must be symmetric about x = 0, or the model "
-                         "a full one");
+  CHECK(refused(body) ==
+        "a.k: node 1: has no image at (4, -2, 1) mm: the mesh must be symmetric about x = 0, or the model "
+        "a full one");
   body = block();
   body.part_of[0] = 1;
   CHECK(refused(body) == "a.k:50: hex 1: has no image of the same part: the mesh must be symmetric about x = 0, or the "
                          "model a full one");
   body = bricks({-2e-3, -1e-3}, {0, 1e-3}, {0, 3e-3});
-  CHECK(refused(body) == "a.k: lies at x = -2 to -1 mm: must lie on both sides of x = 0, or end there and lie where x is "
-                         "positive");
+  CHECK(refused(body) ==
+        "a.k: lies at x = -2 to -1 mm: must lie on both sides of x = 0, or end there and lie where x is "
+        "positive");
   body = bricks({-1e-3, 4e-3}, {-1e-3, 1e-3}, {0, 3e-3});
   CHECK(refused(body, Extent::full) ==
         "a.k: centre of volume at x = 1.5 mm: must lie on the z axis, the line of flight");

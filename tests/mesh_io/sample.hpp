@@ -42,8 +42,7 @@ inline std::string inp_text(const PartMesh<double> &body) {
     for (std::size_t e = 0; e < body.mesh.hexes.size(); ++e) {
       if (!body.part_of.empty() && body.part_of[e] != part) continue;
       text += std::to_string(e + 1);
-      for (std::size_t a = 0; a < 8; ++a)
-        text += (a == 4 ? ",\n " : ", ") + std::to_string(body.mesh.hexes[e][a] + 1);
+      for (std::size_t a = 0; a < 8; ++a) text += (a == 4 ? ",\n " : ", ") + std::to_string(body.mesh.hexes[e][a] + 1);
       text += "\n";
     }
   }
@@ -51,7 +50,8 @@ inline std::string inp_text(const PartMesh<double> &body) {
 }
 
 /// Bricks on a grid with the lines `x`, `y`, `z` (m).
-inline PartMesh<double> bricks(const std::vector<double> &x, const std::vector<double> &y, const std::vector<double> &z) {
+inline PartMesh<double> bricks(const std::vector<double> &x, const std::vector<double> &y,
+                               const std::vector<double> &z) {
   PartMesh<double> body;
   const auto node = [&](std::size_t i, std::size_t j, std::size_t k) {
     return static_cast<Index>((k * y.size() + j) * x.size() + i);

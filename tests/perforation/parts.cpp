@@ -126,7 +126,7 @@ TEST_CASE("a shot of parts resumes from its checkpoint to the last bit", "[perfo
     for (const auto &hex : grid.hexes)
       for (const Index n : hex) CHECK((n >= 0 && n < static_cast<Index>(grid.positions.size())));
   }
-  CHECK(names == std::vector<std::string>{"plate_rim", "projectile_jacket", "projectile_core"});
+  CHECK(names == std::vector<std::string>{"rim", "projectile_jacket", "projectile_core"});
   CHECK(nodes > std::size_t(projectile(model).nodes.size()));     // those of the interface twice
   CHECK(nodes < 2 * std::size_t(projectile(model).nodes.size())); // but no others
 }

@@ -20,7 +20,8 @@ inline FileMesh read_vtu_mesh(const std::filesystem::path &path, double unit) {
   vtkDataArray *parts = nullptr;
   for (const char *name : {"part", "part_id", "PartId", "material"})
     if (parts == nullptr) parts = grid->GetCellData()->GetArray(name);
-  if (parts != nullptr && (parts->GetNumberOfComponents() != 1 || parts->GetNumberOfTuples() != grid->GetNumberOfCells()))
+  if (parts != nullptr &&
+      (parts->GetNumberOfComponents() != 1 || parts->GetNumberOfTuples() != grid->GetNumberOfCells()))
     throw read_error(path, std::string(parts->GetName()) + " must have one value for each hex");
   for (vtkIdType n = 0; n < grid->GetNumberOfPoints(); ++n) {
     Vec3<double> x;
@@ -42,8 +43,9 @@ inline FileMesh read_vtu_mesh(const std::filesystem::path &path, double unit) {
     for (std::size_t a = 0; a < 8; ++a)
       for (std::size_t b = 0; b < a; ++b)
         if (nodes[a] == nodes[b])
-          throw read_error(path, hex + ": has node " + std::to_string(nodes[a]) +
-                                     " twice: wedges, pyramids and tetrahedra cannot be taken, only hexes of eight nodes");
+          throw read_error(path,
+                           hex + ": has node " + std::to_string(nodes[a]) +
+                               " twice: wedges, pyramids and tetrahedra cannot be taken, only hexes of eight nodes");
     const double part = parts == nullptr ? 1 : parts->GetComponent(e, 0);
     if (!(part == std::floor(part) && std::abs(part) < 1e9))
       throw read_error(path, hex + ": part = " + shortest(part) + ": must be a whole number");

@@ -12,10 +12,10 @@
 #include <vector>
 
 /// \file
-/// Bodies of revolution with surfaces within them: a core in a filler in a jacket, a tube, a cup. Every cross section is
-/// an O-grid with more shells: its nodes lie on all surfaces, so that no hex has two metals. In front of an inner surface
-/// and behind it its shell goes on, closer to the axis where the body narrows. Nodes of surfaces lie a little outside of
-/// the true circles, as those of projectile_mesh(): parts between frusta have exactly the analytic volume.
+/// Bodies of revolution with surfaces within them: a core in a filler in a jacket, a tube, a cup. Every cross section
+/// is an O-grid with more shells: its nodes lie on all surfaces, so that no hex has two metals. In front of an inner
+/// surface and behind it its shell goes on, closer to the axis where the body narrows. Nodes of surfaces lie a little
+/// outside of the true circles, as those of projectile_mesh(): parts between frusta have exactly the analytic volume.
 
 namespace ogive {
 
@@ -46,7 +46,8 @@ template <class T> std::vector<T> part_volumes(const ProjectileShape<T> &s) {
   return volumes;
 }
 
-/// A surface of constant radius from the depth `depth` (m) before the rear end of a body of this length (m) to that end.
+/// A surface of constant radius from the depth `depth` (m) before the rear end of a body of this length (m) to that
+/// end.
 template <class T> Profile<T> bore(T radius, T depth, T length) {
   return {{std::max(T(0), length - depth), radius}, {length, radius}};
 }
@@ -96,7 +97,8 @@ template <class T> void check_inner(const ProjectileShape<T> &s) {
 
 namespace nested_detail {
 
-/// Where a nested mesh has nodes along the axis, m: at the ends of all surfaces and at kinks that are not close to them.
+/// Where a nested mesh has nodes along the axis, m: at the ends of all surfaces and at kinks that are not close to
+/// them.
 template <class T> std::vector<T> places_of(const ProjectileShape<T> &s, T least_distance) {
   std::vector<T> places = {T(0), length(s)}, kinks_there;
   for (const Profile<T> &surface : s.inner) {
@@ -152,7 +154,8 @@ template <class T> PartMesh<T> nested_mesh(const ProjectileShape<T> &shape, T sp
   OGridCounts n;
   n.core = at_least(sharp ? 2 : 3, eighth_turn * radius / (sharp ? T(1.6) * edge : edge));
   n.along = static_cast<Index>(stations.size()) - 1;
-  // Shells up to each surface, from the inside out. A wall around a bore bends: with one hex it would have no stiffness.
+  // Shells up to each surface, from the inside out. A wall around a bore bends: with one hex it would have no
+  // stiffness.
   std::vector<Index> shells = {at_least(1, T(0.5) * T(n.core))};
   for (std::size_t j = 1; j < surfaces; ++j)
     shells.push_back(shells.back() + at_least(shape.is_hollow ? 2 : 1, thickest[j] / edge));

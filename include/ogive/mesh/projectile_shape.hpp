@@ -54,8 +54,8 @@ template <class T> struct ProjectileShape {
   T tail_length{};      ///< of the boat tail, m; 0: none
   T tail_diameter{};    ///< of its rear end, m
   Profile<T> profile{}; ///< of a projectile that has its own
-  /// Surfaces within the projectile, from the inside out, each closed by flats at both ends; z from the tip. Each bounds
-  /// a part of another metal, see nested_mesh.hpp.
+  /// Surfaces within the projectile, from the inside out, each closed by flats at both ends; z from the tip. Each
+  /// bounds a part of another metal, see nested_mesh.hpp.
   std::vector<Profile<T>> inner{};
   bool is_hollow = false; ///< there is nothing within the first of those surfaces
   T mesh_volume{};        ///< of the whole of a mesh of its own, m3

@@ -17,8 +17,8 @@
 #include <vector>
 
 /// \file
-/// Whether a mesh of a file is one closed body of well-shaped hexes. All checks throw SetupError with file, hex or node,
-/// value and what is allowed.
+/// Whether a mesh of a file is one closed body of well-shaped hexes. All checks throw SetupError with file, hex or
+/// node, value and what is allowed.
 
 namespace ogive {
 
@@ -66,13 +66,12 @@ inline Index point_at(const PlaceIndex &index, const Vec3<double> &x, Index othe
   for (int corner = 0; corner < 8; ++corner) {
     std::array<std::int64_t, 3> cell{};
     for (int d = 0; d < 3; ++d)
-      cell[d] = place_detail::cell_of(x[d] + ((corner >> d & 1) != 0 ? index.tolerance : -index.tolerance),
-                                      index.tolerance);
+      cell[d] =
+          place_detail::cell_of(x[d] + ((corner >> d & 1) != 0 ? index.tolerance : -index.tolerance), index.tolerance);
     const auto found = index.in.find(place_detail::hash_of(cell[0], cell[1], cell[2]));
     if (found == index.in.end()) continue;
     for (const Index n : found->second)
-      if (n != other && (first < 0 || n < first) &&
-          ((*index.points)[n] - x).cwiseAbs().maxCoeff() <= index.tolerance)
+      if (n != other && (first < 0 || n < first) && ((*index.points)[n] - x).cwiseAbs().maxCoeff() <= index.tolerance)
         first = n;
   }
   return first;
@@ -137,7 +136,8 @@ inline void check_faces(const FileMesh &mesh) {
     const auto at = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
     if (next > i + 2 || a[1] != b[(at + 3) % 4])
       throw SetupError(hex_place(mesh, static_cast<Index>(two / 6)) + ": overlaps hex " +
-                       std::to_string(mesh.hex_numbers[one / 6]) + ": a face may belong to two hexes, one on each side");
+                       std::to_string(mesh.hex_numbers[one / 6]) +
+                       ": a face may belong to two hexes, one on each side");
     group[std::max(root(one / 6), root(two / 6))] = std::min(root(one / 6), root(two / 6));
   }
   for (std::size_t e = 0; e < hexes.size(); ++e)
@@ -169,8 +169,19 @@ inline void check_surface(const FileMesh &mesh) {
   }
 }
 
+/// Refuses a mesh that is so small and so far from the origin that its coordinates have few digits.
+inline void check_place(const FileMesh &mesh) {
+  double farthest = 0;
+  for (const Vec3<double> &x : mesh.body.mesh.positions) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  if (!(width_of(mesh) >= 1e-6 * farthest))
+    throw SetupError(printable(mesh.file) + ": width = " + with_digits(1e3 * width_of(mesh), 3) +
+                     " mm: must be at least a millionth of the distance from the origin, " +
+                     with_digits(1e3 * farthest, 3) + " mm");
+}
+
 /// All checks of a mesh as one closed body.
 inline void check(const FileMesh &mesh) {
+  check_place(mesh);
   check_shapes(mesh);
   check_nodes_apart(mesh);
   check_faces(mesh);

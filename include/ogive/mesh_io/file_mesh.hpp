@@ -20,10 +20,10 @@
 
 namespace ogive {
 
-/// A mesh of a file. Nodes and hexes are in the order of their numbers, nodes that no hex has left out, so that one mesh
-/// is the same in all formats.
+/// A mesh of a file. Nodes and hexes are in the order of their numbers, nodes that no hex has left out, so that one
+/// mesh is the same in all formats.
 struct FileMesh {
-  std::string file;                        ///< its name, for messages
+  std::string file;                       ///< its name, for messages
   PartMesh<double> body;                  ///< m; parts with numbers in their order, then those with names
   std::vector<std::int64_t> node_numbers; ///< as the file has them
   std::vector<std::int64_t> hex_numbers;  ///< likewise
@@ -43,18 +43,18 @@ inline std::string node_place(const FileMesh &mesh, Index n) {
 
 /// Collects the nodes and hexes of a file, in any order, and refuses what is given twice or not at all.
 struct MeshCollector {
-  std::string file;                                       ///< its name, for messages
-  double unit = 1e-3;                                     ///< length unit of its coordinates, m
-  std::vector<Vec3<double>> positions{};                  ///< m, of all nodes
-  std::vector<std::int64_t> node_numbers{};               ///< likewise
-  std::unordered_map<std::int64_t, Index> node_at{};      ///< place of a node by its number
-  std::vector<std::array<std::int64_t, 8>> corners{};     ///< numbers of the nodes of each hex
-  std::vector<std::int64_t> hex_numbers{};                ///< of each hex
-  std::vector<long> hex_lines{};                          ///< of each hex
-  std::unordered_map<std::int64_t, long> hex_seen{};      ///< line of a hex by its number
-  std::vector<std::size_t> part_of{};                     ///< of each hex
-  std::vector<std::string> parts{};                       ///< names
-  std::size_t most = 20'000'000;                          ///< nodes or hexes that are read at most
+  std::string file;                                   ///< its name, for messages
+  double unit = 1e-3;                                 ///< length unit of its coordinates, m
+  std::vector<Vec3<double>> positions{};              ///< m, of all nodes
+  std::vector<std::int64_t> node_numbers{};           ///< likewise
+  std::unordered_map<std::int64_t, Index> node_at{};  ///< place of a node by its number
+  std::vector<std::array<std::int64_t, 8>> corners{}; ///< numbers of the nodes of each hex
+  std::vector<std::int64_t> hex_numbers{};            ///< of each hex
+  std::vector<long> hex_lines{};                      ///< of each hex
+  std::unordered_map<std::int64_t, long> hex_seen{};  ///< line of a hex by its number
+  std::vector<std::size_t> part_of{};                 ///< of each hex
+  std::vector<std::string> parts{};                   ///< names
+  std::size_t most = 20'000'000;                      ///< nodes or hexes that are read at most
 };
 
 /// Throws the SetupError "FILE:LINE: what".
@@ -87,20 +87,22 @@ inline void add_node(MeshCollector &all, std::int64_t number, const Vec3<double>
 }
 
 /// Adds a hex. Throws SetupError.
-inline void add_hex(MeshCollector &all, std::int64_t number, std::size_t part,
-                    const std::array<std::int64_t, 8> &nodes, long line) {
+inline void add_hex(MeshCollector &all, std::int64_t number, std::size_t part, const std::array<std::int64_t, 8> &nodes,
+                    long line) {
   const std::string hex = "hex " + std::to_string(number) + ": ";
   if (all.corners.size() >= all.most) refuse_line(all, line, "has too many hexes");
   if (all.parts.size() > most_parts_of_mesh)
-    refuse_line(all, line, hex + "is of part " + std::to_string(all.parts.size()) + ", at most " +
-                               std::to_string(most_parts_of_mesh) + " are allowed");
+    refuse_line(all, line,
+                hex + "is of part " + std::to_string(all.parts.size()) + ", at most " +
+                    std::to_string(most_parts_of_mesh) + " are allowed");
   if (const auto [seen, is_new] = all.hex_seen.emplace(number, line); !is_new)
     refuse_line(all, line, hex + "is given a second time, the first is in line " + std::to_string(seen->second));
   for (std::size_t a = 0; a < 8; ++a)
     for (std::size_t b = 0; b < a; ++b)
       if (nodes[a] == nodes[b])
-        refuse_line(all, line, hex + "has node " + std::to_string(nodes[a]) +
-                                   " twice: wedges, pyramids and tetrahedra cannot be taken, only hexes of eight nodes");
+        refuse_line(all, line,
+                    hex + "has node " + std::to_string(nodes[a]) +
+                        " twice: wedges, pyramids and tetrahedra cannot be taken, only hexes of eight nodes");
   all.corners.push_back(nodes), all.hex_numbers.push_back(number), all.hex_lines.push_back(line);
   all.part_of.push_back(part);
 }

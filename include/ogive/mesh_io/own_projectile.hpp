@@ -41,12 +41,14 @@ inline void snap_to_plane(PartMesh<double> &body, int axis, double tolerance) {
 
 /// Throws SetupError unless no hex lies on both sides of the plane and nodes, hexes and parts have their images.
 inline void require_symmetric(const FileMesh &mesh, int axis, double tolerance) {
-  const auto &[positions, hexes] = mesh.body.mesh;
+  const auto &positions = mesh.body.mesh.positions;
+  const auto &hexes = mesh.body.mesh.hexes;
   const std::string plane = std::string(1, axis_names[axis]) + " = 0";
   const std::string need = ": the mesh must be symmetric about " + plane + ", or the model a full one";
   for (Index e = 0; e < static_cast<Index>(hexes.size()); ++e) {
     const auto on_side = [&](double sign) {
-      return std::any_of(hexes[e].begin(), hexes[e].end(), [&](Index n) { return sign * positions[n][axis] > tolerance; });
+      return std::any_of(hexes[e].begin(), hexes[e].end(),
+                         [&](Index n) { return sign * positions[n][axis] > tolerance; });
     };
     if (on_side(1) && on_side(-1))
       throw SetupError(hex_place(mesh, e) + ": straddles the plane " + plane + ": the mesh cannot be cut there");
@@ -57,8 +59,7 @@ inline void require_symmetric(const FileMesh &mesh, int axis, double tolerance) 
     Vec3<double> mirrored = positions[n];
     mirrored[axis] = -mirrored[axis];
     image[n] = std::abs(mirrored[axis]) <= tolerance ? n : point_at(index, mirrored);
-    if (image[n] < 0)
-      throw SetupError(node_place(mesh, n) + ": has no image at " + place_in_mm(mirrored) + need);
+    if (image[n] < 0) throw SetupError(node_place(mesh, n) + ": has no image at " + place_in_mm(mirrored) + need);
   }
   const auto key_of = [&](Index e, bool mirrored) {
     std::array<Index, 9> key{};
@@ -70,8 +71,7 @@ inline void require_symmetric(const FileMesh &mesh, int axis, double tolerance) 
   std::set<std::array<Index, 9>> all;
   for (Index e = 0; e < static_cast<Index>(hexes.size()); ++e) all.insert(key_of(e, false));
   for (Index e = 0; e < static_cast<Index>(hexes.size()); ++e)
-    if (!all.contains(key_of(e, true)))
-      throw SetupError(hex_place(mesh, e) + ": has no image of the same part" + need);
+    if (!all.contains(key_of(e, true))) throw SetupError(hex_place(mesh, e) + ": has no image of the same part" + need);
 }
 
 /// The side of the plane with positive coordinates.

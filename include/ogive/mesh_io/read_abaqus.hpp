@@ -47,9 +47,7 @@ inline bool add_parameters(Keyword &keyword, std::string_view line) {
 
 /// Throws SetupError for keywords that would change the mesh or are of other elements.
 inline void check(const MeshCollector &all, const Keyword &keyword) {
-  const auto refuse = [&](const std::string &what) {
-    refuse_line(all, keyword.line, printable(keyword.name) + what);
-  };
+  const auto refuse = [&](const std::string &what) { refuse_line(all, keyword.line, printable(keyword.name) + what); };
   if (keyword.name == "*INCLUDE") refuse(": other files are not read; put the mesh into one file");
   for (const char *made : {"*NGEN", "*NCOPY", "*NFILL", "*NMAP", "*ELGEN", "*ELCOPY", "*SYSTEM", "*TRANSFORM"})
     if (keyword.name == made) refuse(": must be written out as nodes and elements");
@@ -76,15 +74,15 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
   std::vector<std::string_view> element; // fields of one that goes on
   long element_line = 0;
   std::vector<Keyword> sections;
-  std::vector<std::string> sets; // of elements, in capitals and without blanks
+  std::vector<std::string> sets; // of each part, in capitals and without blanks: as Abaqus compares names
   const auto end_keyword = [&] {
     check(all, keyword);
     if (keyword.name == "*SOLIDSECTION") sections.push_back(keyword);
   };
   const auto end_element = [&] {
     if (!element.empty())
-      refuse_line(all, element_line, "fields of an element = " + std::to_string(element.size()) +
-                                         ": must be 9, number and 8 nodes");
+      refuse_line(all, element_line,
+                  "fields of an element = " + std::to_string(element.size()) + ": must be 9, number and 8 nodes");
   };
   for_each_line(text, "**", [&](const TextLine &line) {
     if (continues) {
@@ -99,7 +97,8 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
       if (!continues) end_keyword();
       return true;
     }
-    if (keyword.name == "*INSTANCE") refuse_line(all, line.number, "moves an instance: its nodes must be where they are");
+    if (keyword.name == "*INSTANCE")
+      refuse_line(all, line.number, "moves an instance: its nodes must be where they are");
     if (keyword.name != "*NODE" && keyword.name != "*ELEMENT") return true;
     auto fields = comma_fields(line.text);
     if (fields.size() > 1 && fields.back().empty()) fields.pop_back();
@@ -115,8 +114,17 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
     std::array<std::int64_t, 8> corners{};
     for (std::size_t a = 0; a < 8; ++a) corners[a] = number_of_field(all, element[a + 1], "node", element_line);
     const std::string set = parameter(keyword, "ELSET");
-    if (sets.empty() || sets.back() != squeezed_text(set)) sets.push_back(squeezed_text(set));
-    add_hex(all, number, part_named(all, set.empty() ? "1" : set), corners, element_line);
+    auto place = static_cast<std::size_t>(std::find(sets.begin(), sets.end(), squeezed_text(set)) - sets.begin());
+    if (place == sets.size()) {
+      if (set.size() > 80) refuse_line(all, keyword.line, "*ELEMENT, ELSET: must have at most 80 characters");
+      place = part_named(all, set.empty() ? "1" : set);
+      if (place < sets.size())
+        refuse_line(all, keyword.line,
+                    "*ELEMENT, ELSET = " + printable(set) +
+                        ": must differ from other sets by letters, digits, '-', '_' or '.'");
+      sets.push_back(squeezed_text(set));
+    }
+    add_hex(all, number, place, corners, element_line);
     element.clear();
     return true;
   });
@@ -127,8 +135,9 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
     // One section for all elements, whatever its set is called, makes one part.
     const bool is_only = sections.size() == 1 && sets == std::vector<std::string>{""};
     if (!is_only && std::find(sets.begin(), sets.end(), set) == sets.end())
-      refuse_line(all, section.line, "*SOLIDSECTION, ELSET = " + printable(set) +
-                                         ": must be a set of *ELEMENT, ELSET=; those of *ELSET are not read");
+      refuse_line(all, section.line,
+                  "*SOLIDSECTION, ELSET = " + printable(set) +
+                      ": must be a set of *ELEMENT, ELSET=; those of *ELSET are not read");
   }
   return mesh_of(all);
 }

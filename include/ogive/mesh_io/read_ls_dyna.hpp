@@ -32,12 +32,12 @@ inline std::vector<std::string_view> fields_of(const MeshCollector &all, const T
 inline void add_solid(MeshCollector &all, std::int64_t number, std::string_view part,
                       const std::vector<std::string_view> &nodes, long line) {
   if (nodes.size() < 8)
-    refuse_line(all, line, "hex " + std::to_string(number) + ": nodes = " + std::to_string(nodes.size()) +
-                               ": must be 8");
+    refuse_line(all, line,
+                "hex " + std::to_string(number) + ": nodes = " + std::to_string(nodes.size()) + ": must be 8");
   for (std::size_t k = 8; k < nodes.size(); ++k)
     if (!nodes[k].empty() && nodes[k] != "0")
-      refuse_line(all, line, "hex " + std::to_string(number) + ": has " + std::to_string(k + 1) +
-                                 " nodes: must be a hex of 8");
+      refuse_line(all, line,
+                  "hex " + std::to_string(number) + ": has " + std::to_string(k + 1) + " nodes: must be a hex of 8");
   std::array<std::int64_t, 8> corners{};
   for (std::size_t a = 0; a < 8; ++a) corners[a] = number_of_field(all, nodes[a], "node", line);
   const auto id = number_of_field(all, part, "part", line);
@@ -87,8 +87,8 @@ inline FileMesh read_ls_dyna_mesh(std::string_view text, const std::string &file
       return true;
     }
     if (fields.size() < 2)
-      refuse_line(all, line.number, "fields of a solid = " + std::to_string(fields.size()) +
-                                        ": must be 10, number, part and 8 nodes");
+      refuse_line(all, line.number,
+                  "fields of a solid = " + std::to_string(fields.size()) + ": must be 10, number, part and 8 nodes");
     const std::int64_t number = number_of_field(all, fields[0], "hex", line.number);
     if (fields.size() == 2) {
       begun = number, part = fields[1], begun_in = line.number;

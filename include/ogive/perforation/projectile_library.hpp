@@ -18,12 +18,12 @@ namespace ogive {
 
 /// A projectile: shape, mass and metal.
 template <class T> struct Projectile {
-  std::string name;                ///< as users write it
-  std::string source;              ///< of the dimensions, with how far they can be trusted
-  ProjectileShape<T> shape;        ///< SI units
-  T mass{};                        ///< of the whole projectile, kg; 0: by the density of its metal
-  bool rigid = false;              ///< moves and turns as one, and does not deform
-  Metal<T, AnyFlowLaw<T>> metal{}; ///< without damage; of several parts that of the core
+  std::string name;                       ///< as users write it
+  std::string source;                     ///< of the dimensions, with how far they can be trusted
+  ProjectileShape<T> shape;               ///< SI units
+  T mass{};                               ///< of the whole projectile, kg; 0: by the density of its metal
+  bool rigid = false;                     ///< moves and turns as one, and does not deform
+  Metal<T, AnyFlowLaw<T>> metal{};        ///< without damage; of several parts that of the core
   std::vector<std::string> part_metals{}; ///< of several parts: names of metals in the library of the programs, from
                                           ///< the outside in
 };
@@ -73,17 +73,17 @@ template <class T> Profile<T> ogive_profile(T front, T rear, T radius, T tip, T 
 }
 
 /// The whole 7.62 mm APM2 bullet: the hard core of apm2_762_core() in a jacket of gilding metal, with lead in front of
-/// the core and thin lead around it. Core and mass of the whole are as quoted, the other dimensions are from memory or
-/// chosen such that the masses of the parts add up to that of the whole: see `source`. The boat tail is left out. The
-/// parts share their nodes: a jacket does not come off.
+/// the core and around it. Core and mass of the whole are as quoted, the other dimensions are from memory or chosen
+/// such that the masses of the parts add up to that of the whole within 2 %: see `source`. The boat tail is left out.
+/// The parts share their nodes: a jacket does not come off.
 template <class T> Projectile<T> apm2_762() {
-  const T length = T(35.2e-3), core_front = T(6.2e-3);
-  ProjectileShape<T> s = projectile_of(ogive_profile(T(0), length, T(3.91e-3), T(0.6e-3), T(6)));
-  s.inner = {ogive_profile(core_front, core_front + T(27.6e-3), T(0.5 * 6.17e-3), T(0.15e-3), T(3)),
-             ogive_profile(T(1.5e-3), core_front + T(27.6e-3), T(3.25e-3), T(0.35e-3), T(6))};
+  const T length = T(34.8e-3), core_front = T(6.2e-3), core_rear = T(33.8e-3);
+  ProjectileShape<T> s = projectile_of(ogive_profile(T(0), length, T(3.91e-3), T(0.6e-3), T(7)));
+  s.inner = {ogive_profile(core_front, core_rear, T(0.5 * 6.17e-3), T(0.15e-3), T(3)),
+             ogive_profile(T(3.5e-3), core_rear, T(3.35e-3), T(0.6e-3), T(7))};
   return {"apm2_762",
-          "quoted: core, mass of the whole; from memory: diameter of 7.82 mm, length of 35.2 mm; assumption: thickness of "
-          "jacket and lead, ogive of the jacket, no boat tail, parts share nodes",
+          "quoted: core, mass of the whole; from memory: diameter of 7.82 mm, length of 34.8 mm; assumption: thickness "
+          "of jacket and lead, ogive of the jacket, no boat tail, parts share nodes",
           s,
           T(10.7e-3),
           false,

@@ -187,8 +187,8 @@ std::vector<HexBody<T, Law, Rule>> add_projectile(Nodes<T> &nodes, const Perfora
     const NodeRange range = add_nodes(nodes, body.mesh.positions);
     for (std::size_t k = 0; k < metals.size(); ++k) {
       Nodes<T> own;
-      auto &part = parts.emplace_back(add_hex_body<Rule>(own, mesh_of_part(body, k), heavy[k],
-                                                         "projectile_" + body.parts[k], options, rule));
+      auto &part = parts.emplace_back(
+          add_hex_body<Rule>(own, mesh_of_part(body, k), heavy[k], "projectile_" + body.parts[k], options, rule));
       part.nodes = range;
       for (auto &hex : part.hexes)
         for (Index &n : hex) n += range.begin;
