@@ -29,9 +29,18 @@ foreach(part IN LISTS mathjax_parts)
        "${site}/mathjax/${part}")
 endforeach()
 
+# The pages of the commands are made by the program: that of this build, or else that of the preset `release`, if it is built.
+if(TARGET ogive_main)
+  set(ogive_program $<TARGET_FILE:ogive_main>)
+else()
+  set(ogive_program "${PROJECT_SOURCE_DIR}/build/release/apps/ogive")
+endif()
+
 add_custom_target(
   docs
   COMMAND ${CMAKE_COMMAND} -E rm -rf "${site}"
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/docs/doxygen/commands.py" "${ogive_docs_folder}/commands"
+          "${ogive_program}"
   COMMAND Doxygen::doxygen "${ogive_docs_folder}/Doxyfile"
   COMMAND ${CMAKE_COMMAND} -E copy "${mathjax_folder}/MathJax.js" "${site}/mathjax/MathJax.js" ${copy_mathjax}
           ${copy_results}
@@ -39,3 +48,6 @@ add_custom_target(
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
   COMMENT "The website, its links checked: ${site}/index.html"
   VERBATIM)
+if(TARGET ogive_main)
+  add_dependencies(docs ogive_main)
+endif()

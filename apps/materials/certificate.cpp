@@ -63,7 +63,7 @@ CertifiedMetal finished(ogive::Metal<double, Law> m, const Certificate &c, const
   m.elasticity.young = c.numbers.young;
   m.source = "ogive materials from-tensile " + std::string(ogive::version) + ": " + text_of(c) + "; " + law +
              "; density, Poisson's ratio, heat, temperatures, effects of rate and temperature of " + other;
-  m.confidence = "medium: hardening from a certificate; what it does not say is taken from " + other;
+  m.confidence = "medium: hardening from a certificate; the rest is from " + other;
   all.notes.push_back("hardening: " + law);
   all.notes.push_back("from " + other +
                       ": density, Poisson's ratio, heat, temperatures, effects of rate and temperature");

@@ -32,10 +32,10 @@ const study::Texts own_columns{"seed"};
 options::Table table_of(shot::Options &o, LimitOptions &l) {
   options::Table t = shot::table_of(o);
   t.group = "Search";
-  options::add(t, l.run, {.key = "run", .meaning = "run what is missing; --no-run reports only what is known",
+  options::add(t, l.run, {.key = "run", .meaning = "run missing shots; without it only existing results are reported",
       .source = "yes: ours", .in_file = false});
   options::add(t, l.width_mps, {.key = "width_mps",
-      .meaning = "difference of the velocities between which the limit is to lie", .source = "ours",
+      .meaning = "largest width of the bracket of the limit", .source = "ours",
       .brief = "width of the bracket of the limit", .limits = {0.1, 500, "m/s"}, .in_file = false});
   options::add(t, l.repeats, {.key = "repeats",
       .meaning = "searches, the first with --seed, the next with that and 1 more each; gives mean, standard deviation "

@@ -40,7 +40,7 @@ options::Table table_of(shot::Options &o, SweepOptions &s) {
   options::add(t, s.limit, {.key = "limit", .meaning = "find the ballistic limit of each case instead of one shot",
       .source = "no: ours", .brief = "the ballistic limit of each case instead of one shot", .in_file = false});
   options::add(t, s.width_mps, {.key = "width_mps",
-      .meaning = "difference of the velocities between which a limit is to lie", .source = "ours",
+      .meaning = "largest width of the bracket of a limit", .source = "ours",
       .limits = {0.1, 500, "m/s"}, .in_file = false});
   study::add_study_options(t, s.study);
   for (options::Option option : shot::table_of(o).options) {

@@ -117,7 +117,7 @@ Option &add(Table &table, bool &value, const Entry &entry) {
   Option &option = add_bound(table, entry, value, Kind::truth, "", "true or false",
                              [](bool &truth, const Given &given, const std::string &) { truth = truth_given(given); });
   option.values = Values::none;
-  option.range = "; " + no_flag_of(entry.key) + " for not";
+  option.range = "; " + no_flag_of(entry.key) + " turns it off";
   return option;
 }
 

@@ -41,8 +41,8 @@ void add_plate(Table &t, Options &o) {
   material.names = materials::library_names();
   add(t, o.model, {.key = "model",
       .meaning = "flow law, of metals that have several (mjc and jc); others have their own", .source = "paper"});
-  add(t, o.method, {.key = "method", .meaning = "how the plate holds together: stabilised by bonds between its "
-      "particles, with damage; or as in the paper, where particles separate by themselves", .source = "ours",
+  add(t, o.method, {.key = "method", .meaning = "numerical method: stabilised has bonds between the particles and "
+      "damage; that of the paper lets particles separate by themselves", .source = "ours",
       .brief = "stabilised, or that of the paper"});
   add(t, o.damage, {.key = "damage",
       .meaning = "how damage grows, by D1 to D5 or by critical_work_MPa of the material",
@@ -204,7 +204,7 @@ void add_discretisation(Table &t, Options &o) {
       .limits = {0.01, 25, "mm"}});
   add(t, o.sph_radius_mm, {.key = "sph_radius_mm", .meaning = "radius of the particles' disc, from the projectile's radius and two spacings to less than the clamp radius",
       .source = "paper", .limits = {0.6, 5000, "mm"}});
-  add(t, o.extent, {.key = "extent", .meaning = "how much of the round model is computed", .source = "paper"});
+  add(t, o.extent, {.key = "extent", .meaning = "computed part of the round model", .source = "paper"});
   add(t, o.lattice, {.key = "lattice", .meaning = "arrangement of the particles", .source = "ring, cubic with "
       "--method paper: ours, paper"});
   add(t, o.seed, {.key = "seed", .meaning = "disturbs the arrangement at random, by up to 5 % of the particle distance; "

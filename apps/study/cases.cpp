@@ -168,7 +168,7 @@ void add_study_options(options::Table &t, StudyOptions &o) {
       .meaning = "run only the I-th of N parts of the study, for several machines; the shots of one limit stay "
       "together; draws nothing", .source = "1/1: all", .brief = "run only the I-th of N parts",
       .allowed = allowed_shard, .in_file = false}).placeholder = "I/N";
-  options::add(t, o.run, {.key = "run", .meaning = "run what is missing; --no-run draws only what is known",
+  options::add(t, o.run, {.key = "run", .meaning = "run missing shots; without it only existing results are drawn",
       .source = "yes: ours", .in_file = false});
 }
 // clang-format on

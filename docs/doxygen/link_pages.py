@@ -2,7 +2,7 @@
 """link_pages.py FILE.md: prints a page of docs/ as Doxygen wants it.
 
 The pages are written for readers of the repository: their links lead to files beside them. On the site, links to other
-pages lead to those, links to headers to the headers' pages; others become plain text.
+pages lead to those, links to headers to the headers' pages; others, those to a title of the same page too, become plain text.
 """
 import pathlib
 import re
@@ -14,8 +14,10 @@ PICTURE = re.compile(r"!\[(?P<text>[^\]]*)\]\((?P<to>[^)\s]+)\)")
 
 def linked(match, folder):
     text, to = match["text"], match["to"].split("#")[0]
-    if re.match(r"(https?|mailto|@ref|\\ref)", to) or not to:
+    if re.match(r"(https?|mailto|@ref|\\ref)", to):
         return match[0]
+    if not to:  # a title of the same page, which Doxygen does not know by GitHub's name
+        return text
     file = (folder / to).resolve()
     if file.suffix == ".md" and file.is_file() and file.parent == folder:
         return f"[{text}](@ref page_{file.stem})"

@@ -209,7 +209,7 @@ def summary(results):
 
 
 def figure_table(results):
-    """The status of each figure in Markdown, for the README."""
+    """The status of each figure in Markdown, for docs/doxygen/validation.md."""
     rows = []
     for fact in read_toml(FACTS)["figure"]:
         of_figure = [r for r in results if fact["number"] in r.figures]

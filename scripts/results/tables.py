@@ -5,13 +5,13 @@ from functools import partial
 from typing import Callable, NamedTuple
 
 from . import sweeps as runs
-from .data import (KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, half_width_mps, markdown_table, of_plate, read_json,
-                   read_limits, read_shots, read_table, short)
+from .data import (KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, half_width_mps, markdown_table, of_plate, plate_of,
+                   read_json, read_limits, read_shots, read_table, short)
 from .insert import insert
 from .sweeps import Sweep
 
 BRACKETS = ("Tests in brackets: no measured shot but the curve of Recht and Ipson through the measured limit, which is known "
-            "to 5 m/s; just above it the curve says little.")
+            "to 5 m/s; just above it the curve is uncertain.")
 STEEL = ("Weldox 460 E", "blunt")
 
 
@@ -147,23 +147,41 @@ def cost(_):
         for nose, plate, count, paper, other in rows])
 
 
-def limits(_):
-    """All limits of the page by plate, with the methods beside each other."""
-    def cells(row, test):
-        if row and (half_width_mps(row) or 0) > 2.5:
-            return [f"{short(row['highest_stopped_mps'])} to {short(row['lowest_perforated_mps'])}", "–"]
-        limit = row and row["bisection_limit_mps"]
-        return [f"{limit:.1f}" if limit else "–", percent(limit, test)]
+def limit_and_error(row, test):
+    """Cells of a row of limits; a wide bracket is given as a range."""
+    if row and (half_width_mps(row) or 0) > 2.5:
+        return [f"{short(row['highest_stopped_mps'])} to {short(row['lowest_perforated_mps'])}", "–"]
+    limit = row and row["bisection_limit_mps"]
+    return [f"{limit:.1f}" if limit else "–", percent(limit, test)]
 
+
+def plates_of_page():
+    """Limits of the modified law by plate, then by method, where `stabilised` has one."""
     plates = {}
     for row in read_limits(PAGE / "data"):
         if row["model"] == "mjc":
             plates.setdefault(row.key(("material", "nose", "thickness_mm", "test_limit_mps")), {})[row["method"]] = row
+    return {plate: found for plate, found in plates.items() if "stabilised" in found}
+
+
+def limits(_):
+    """All limits of the page by plate, with the methods beside each other."""
     return markdown_table(
         ["nose", "plate", "test, m/s", "paper, m/s", "error", "stabilised, m/s", "error"],
         [[nose, f"{thickness:g} mm {material}", f"{test:.1f}",
-          *(cell for method in ("paper", "stabilised") for cell in cells(found.get(method), test))]
-         for (material, nose, thickness, test), found in plates.items() if "stabilised" in found])
+          *(cell for method in ("paper", "stabilised") for cell in limit_and_error(found.get(method), test))]
+         for (material, nose, thickness, test), found in plates_of_page().items()])
+
+
+def accuracy(_):
+    """The same for the default method alone, steel first, by the names of the metals."""
+    found = [(plate_of(methods["stabilised"]), plate[-1], methods["stabilised"])
+             for plate, methods in plates_of_page().items()]
+    rows = []
+    for (metal, nose, thickness), test, row in sorted(found, key=lambda plate: (plate[0][0] != STEEL[0], *plate[0][1:])):
+        limit, error = limit_and_error(row, test)
+        rows.append([f"{thickness:g} mm {metal}", nose, row["method"], limit, f"{test:.1f}", error])
+    return markdown_table(["plate", "nose", "method", "limit, m/s", "test, m/s", "error"], rows)
 
 
 def residuals(_):
@@ -186,7 +204,7 @@ class Table(NamedTuple):
 ON_RINGS = "--method paper --lattice ring"
 LIMITS = "--limit --model mjc --spacing-mm 0.6"
 
-# Name: page in docs/, tables.
+# Name: page, from docs/; tables.
 TABLES = {
     "plate_12mm": ("plate_12mm", [Table("", partial(shots, SHOTS), (Sweep("plate_12mm", "plate_12mm", ON_RINGS),))]),
     "sensitivity": ("sensitivity", [
@@ -234,6 +252,7 @@ TABLES = {
     "cost": ("beyond", [
         Table("Processor time of the same shots on the page of results, modified law, each with the version and on the machine "
               "of its row in the run record:", cost)]),
+    "accuracy": ("../README", [Table("Ballistic limits, modified law, particles 0.6 mm apart:", accuracy)]),
 }
 
 

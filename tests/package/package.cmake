@@ -38,6 +38,8 @@ if(Python3_FOUND)
            COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/package/recipes_test.py")
   add_test(NAME "package:broken links of a site are found"
            COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/package/links_test.py")
+  add_test(NAME "package:pages of the commands"
+           COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/package/commands_test.py")
 endif()
 
 find_package(Doxygen 1.9 QUIET)

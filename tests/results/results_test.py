@@ -85,7 +85,7 @@ class Folders(unittest.TestCase):
         self.folder = Path(temporary.name) / "campaign"
         self.folder.mkdir()
         (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, *SHOTS, ""]))
-        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS)
+        (self.folder / "limits.csv").write_text(LIMITS)
         self.checks = self.folder / "checks.toml"
         self.checks.write_text(CHECKS)
 
@@ -120,7 +120,7 @@ class Accept(Folders):
         self.assertIn("missing good", self.accept("--spacing-mm", 1.5).stdout)
 
     def test_wide_bracket_is_no_limit(self):
-        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS.replace(",180,184,182,", ",170,184,177,"))
+        (self.folder / "limits.csv").write_text(LIMITS.replace(",180,184,182,", ",170,184,177,"))
         self.assertIn("missing good", self.accept().stdout)
 
     def test_shot_values(self):
@@ -209,7 +209,7 @@ class Page(Folders):
         other = self.folder.parent / "other"
         other.mkdir()
         (other / "nose_shapes_limits.csv").write_text(LIMITS)
-        (other / "steel_blunt_limits.csv").write_text(LIMITS)
+        (other / "limits.csv").write_text(LIMITS)
         (other / "shots.1-of-2.csv").write_text("\n".join(
             [SHOT_HEADER, SHOTS[2].replace(",10,1,", ",77,2,"), SHOTS[0], "paper,mjc,weldox_460e,bl"]))
         (other / "shots.2-of-2.csv").write_text("\n".join([SHOT_HEADER, SHOTS[1], SHOTS[0], ""]))
@@ -233,7 +233,7 @@ class Page(Folders):
                          "nose,spacing_mm,projectile_mass_g,added_mass_g\nblunt,0.6,197.250000,0.000000\n")
 
     def test_older_limits_are_told(self):
-        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS.replace(",180,184,182,", ",179,184,181.5,"))
+        (self.folder / "limits.csv").write_text(LIMITS.replace(",180,184,182,", ",179,184,181.5,"))
         self.assertIn("the limit is older than the shots", self.page(self.folder, self.folder / "page").stderr)
 
     def test_a_method_beyond_the_paper_has_a_section_and_leaves_the_figures_alone(self):
@@ -245,7 +245,7 @@ class Page(Folders):
                 for row in SHOTS[:2]]
         (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, *SHOTS, *ours, ""]))
         limit = LIMITS.splitlines()[1].replace("paper,", "stabilised,", 1).replace(",184.5,", ",180,")
-        (self.folder / "steel_blunt_limits.csv").write_text(LIMITS + limit + "\n")
+        (self.folder / "limits.csv").write_text(LIMITS + limit + "\n")
         self.page(self.folder, page.parent)
         after = page.read_text()
         self.assertEqual(re.search("Of 14 figures.*", before)[0], re.search("Of 14 figures.*", after)[0])
@@ -394,7 +394,7 @@ class Tables(unittest.TestCase):
     def test_values_that_are_missing(self):
         self.leave("stabilised_6mm", "base", initial_velocity_mps=170, residual_velocity_mps=0.0, failed_particles=26,
                    dishing_mm=13.92)
-        self.assertEqual(self.table("stabilised")[-1], "| 6 mm, as it is | 170.0 | – | 0.0 | – | 26 | 13.92 | – | – | – |")
+        self.assertEqual(self.table("stabilised")[-1], "| 6 mm, default | 170.0 | – | 0.0 | – | 26 | 13.92 | – | – | – |")
 
     def leave_limits(self, folder, *rows):
         (self.folder / folder).mkdir()
@@ -447,6 +447,22 @@ class Tables(unittest.TestCase):
             self.assertEqual(self.table("cost")[-3:], [
                 "| blunt | 6 mm weldox_460e | 1 | 10 | 25 | 2.50 |", "| blunt | 12 mm weldox_460e | 1 | 20 | 20 | 1.00 |",
                 "| all |  | 2 | 30 | 45 | 1.50 |"])
+
+    def test_accuracy_of_the_default_method_by_plate(self):
+        data = self.folder / "data"
+        data.mkdir()
+        head = (tables.PAGE / "data" / "limits.csv").read_text().splitlines()[0]
+        (data / "limits.csv").write_text(head + "\n" + "".join(
+            f"{method},mjc,{material},{nose},{thickness},0.6,{limit - 2},{limit + 2},{limit},1,,,,,,,,,,,{test},\n"
+            for method, material, nose, thickness, limit, test in (
+                ("stabilised", "aa5083_h116", "conical", 15, 211.5, 216.8), ("paper", "weldox_460e", "blunt", 12, 172.5, 184.5),
+                ("stabilised", "weldox_460e", "blunt", 12, 192.5, 184.5), ("stabilised", "weldox_460e", "blunt", 6, 140.5, 145.5),
+                ("paper", "weldox_460e", "blunt", 8, 128.5, 154.3))))
+        with mock.patch.object(tables, "PAGE", self.folder), mock.patch.object(tables, "versions", return_value=""):
+            self.assertEqual(self.table("accuracy")[-3:], [
+                "| 6 mm Weldox 460 E | blunt | stabilised | 140.5 | 145.5 | -3.4 % |",
+                "| 12 mm Weldox 460 E | blunt | stabilised | 192.5 | 184.5 | +4.3 % |",
+                "| 15 mm AA5083-H116 | conical | stabilised | 211.5 | 216.8 | -2.4 % |"])
 
     def test_no_shot_is_an_error(self):
         done = run("tables", "no_such_table")

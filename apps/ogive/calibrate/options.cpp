@@ -73,9 +73,9 @@ Table table_of(Options &o) {
       .source = "required", .brief = "tables of tensile curves in CSV, required",
       .allowed = "the names of CSV files"});
   add(table, o.engineering, {.key = "engineering",
-      .meaning = "they hold engineering stress and strain; cut at necking, needs --young-GPa"});
-  add(table, o.unusual, {.key = "unusual", .meaning = "they are meant to be below 150 K or to yield outside 10 MPa to "
-      "5 GPa, else taken for wrong units"});
+      .meaning = "the tables have engineering stress and strain; cut at necking, needs --young-GPa"});
+  add(table, o.unusual, {.key = "unusual", .meaning = "accept tests below 150 K, or with a yield stress outside 10 MPa to "
+      "5 GPa, which otherwise count as wrong units"});
   auto &name = add(table, o.name, {.key = "name", .meaning = "of the metal", .source = "that of the first table",
       .brief = "of the metal", .allowed = "a name of letters, digits, _ - . and blanks"});
   name.assign = [&o, allowed = name.allowed_text](const Given &given) {
@@ -113,15 +113,17 @@ Table table_of(Options &o) {
       .brief = "Poisson's ratio, for material.toml", .limits = {0, 0.495}});
 
   table.group = "Fit";
-  add(table, o.isothermal, {.key = "isothermal", .meaning = "no test heats itself", .brief = "no test heats itself"});
+  add(table, o.isothermal, {.key = "isothermal", .meaning = "all tests are isothermal", .brief = "all tests are isothermal"});
   add(table, o.adiabatic_above_per_s, {.key = "adiabatic_above_per_s",
       .meaning = "rate from which a test keeps its heat", .limits = rate});
   add(table, o.rate_window_from, {.key = "rate_window_from", .meaning = "plastic strain from which C is taken",
       .limits = strain});
-  add(table, o.rate_window_to, {.key = "rate_window_to", .meaning = "and to which", .limits = strain});
+  add(table, o.rate_window_to, {.key = "rate_window_to", .meaning = "plastic strain up to which C is taken",
+      .limits = strain});
   add(table, o.thermal_window_from, {.key = "thermal_window_from", .meaning = "plastic strain from which b is taken",
       .limits = strain});
-  add(table, o.thermal_window_to, {.key = "thermal_window_to", .meaning = "and to which", .limits = strain});
+  add(table, o.thermal_window_to, {.key = "thermal_window_to", .meaning = "plastic strain up to which b is taken",
+      .limits = strain});
   add(table, o.leave_out_from_K, {.key = "leave_out_from_K",
       .meaning = "tests between this and --leave-out-to-K do not count: blue brittleness", .limits = kelvin});
   add(table, o.leave_out_to_K, {.key = "leave_out_to_K", .meaning = "see --leave-out-from-K", .limits = kelvin});

@@ -48,18 +48,18 @@ Table table_of(Options &o) {
   };
   add(table, o.columns, {.key = "columns", .meaning = "of sections", .source = "up to 4: even rows",
       .limits = {1, 20}});
-  add(table, o.colour, {.key = "colour", .meaning = "what gives the colour", .brief = "what gives the colour"});
+  add(table, o.colour, {.key = "colour", .meaning = "quantity of the colours", .brief = "quantity of the colours"});
   add_numbers(table, o.range, "LOW,HIGH", {.key = "range", .meaning = "values of the first and of the last colour",
       .source = "0,1.5 or 300,900 K: strain or temperature", .limits = {-1e6, 1e6},
       .allowed = "two numbers separated by a comma, the lower first"}, [](const auto &v) { return v[0] < v[1]; });
   add_numbers(table, o.view_mm, "ZMIN,ZMAX,RADIUS", {.key = "view_mm",
-      .meaning = "what is seen; z = 0 is the plate's front face, the projectile flies towards -z",
+      .meaning = "extent of the picture; z = 0 is the plate's front face, the projectile flies towards -z",
       .source = "22 mm in front of the plate, down to the plug, 28 mm on either side", .limits = {-5000, 5000, "mm"},
       .allowed = "three numbers separated by commas, the second 1 mm or more above the first, the third 1 mm or more"},
       [](const auto &v) { return v[1] - v[0] >= 1 && v[2] >= 1; });
   add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "thin lines between the hexes"});
-  add(table, o.from, {.key = "from", .meaning = "where it is seen from: the section; obliquely; or all of the plate from "
-      "behind, without the projectile", .brief = "seen as section, oblique or from behind"});
+  add(table, o.from, {.key = "from", .meaning = "direction of view: the section; oblique; or the whole plate from behind, "
+      "without the projectile", .brief = "seen as section, oblique or from behind"});
   add(table, o.pixels, {.key = "pixels", .meaning = "width of the page at most", .source = "1600, of a film 1000: ours",
       .limits = {200, 8000}});
   add(table, o.animate, {.key = "animate", .meaning = "a film of one series in the place of a picture; needs ffmpeg",
@@ -79,7 +79,7 @@ Table table_of(Options &o) {
 
   table.group = "Comparison";
   add(table, o.compare, {.key = "compare",
-      .meaning = "two results of ogive shoot: prints what differs; --out is a folder for differences.csv, velocity.svg and "
+      .meaning = "two results of ogive shoot: prints the differences; --out is a folder for differences.csv, velocity.svg and "
       "sections.png, the last frames", .brief = "compare two results",
       .allowed = "two folders with a summary.json"}).placeholder = "FOLDER FOLDER";
 

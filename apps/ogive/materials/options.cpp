@@ -105,8 +105,8 @@ Table table_of(Options &o, std::vector<std::string> &words) {
       .meaning = "reduction of area at fracture (Z), gives W_cr of --damage cockcroft_latham",
       .brief = "of from-tensile: reduction of area, gives W_cr", .limits = percent, .in_file = false});
   add(t, o.law, {.key = "law", .meaning = "hardening law", .source = "ours", .in_file = false});
-  add(t, o.like, {.key = "like", .meaning = "metal of the library, or FILE.toml, that has what a certificate does "
-      "not say: density, Poisson's ratio, heat, effects of rate and temperature",
+  add(t, o.like, {.key = "like", .meaning = "metal of the library, or FILE.toml, for values that a certificate "
+      "lacks: density, Poisson's ratio, heat, effects of rate and temperature",
       .source = "aa6061_t651 at 60 to 85 GPa, weldox_460e at 180 to 225 GPa: ours",
       .brief = "of from-tensile: metal with what a certificate lacks", .allowed = "a metal of the library, or a file",
       .in_file = false}).names = materials::library_names();
