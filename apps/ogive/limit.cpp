@@ -80,18 +80,24 @@ std::optional<double> print_bisection(const study::Series &series, const std::fi
   return estimate ? std::optional(estimate->limit) : std::nullopt;
 }
 
-/// Prints what the limits of all arrangements have in common and writes OUT/repeats.csv.
-void finish_repeats(const std::vector<study::Series> &series, const std::filesystem::path &out) {
+/// Prints what the limits of all arrangements have in common, of those that are known to `width_mps`, and writes
+/// OUT/repeats.csv.
+void finish_repeats(const std::vector<study::Series> &series, double width_mps, const std::filesystem::path &out) {
   std::vector<ogive::LimitEstimate<double>> limits;
   std::string each;
   for (const study::Series &one : series)
-    if (const auto limit = limit_of(one, out)) {
+    if (const auto limit = limit_of(one, out); limit && 2 * limit->half_width <= width_mps * (1 + 1e-9)) {
       limits.push_back(*limit);
       each += (each.empty() ? "" : ", ") + options::printed("%.1f", limit->limit);
     }
+  std::error_code ignored;
+  std::filesystem::remove(out / "repeats.csv", ignored);
   if (limits.size() < 2) return;
   const auto all = ogive::repeated_limit(limits);
-  std::printf("  %-22s %s m/s\n", "of each arrangement", each.c_str());
+  std::printf("  %-22s %s m/s%s\n", "of each arrangement", each.c_str(),
+              limits.size() == series.size()
+                  ? ""
+                  : options::printed("; %zu of %zu are known", limits.size(), series.size()).c_str());
   std::printf("  %-22s %.1f m/s, standard deviation %.1f m/s\n", "mean limit", all.mean, *all.deviation);
   std::printf("  %-22s %.1f to %.1f m/s\n", "90 % interval", all.mean - *all.half_interval,
               all.mean + *all.half_interval);
@@ -105,13 +111,14 @@ void finish_repeats(const std::vector<study::Series> &series, const std::filesys
 }
 
 /// Prints the fit, writes OUT/limits.csv and draws; with the tests of `tested`.
-void finish(const std::vector<study::Series> &series, const study::Series &tested, const std::filesystem::path &out) {
+void finish(const std::vector<study::Series> &series, double width_mps, const study::Series &tested,
+            const std::filesystem::path &out) {
   const auto rows = study::read_all_rows(out, own_columns);
-  const auto limits = study::limits_in(series, rows);
+  const auto limits = study::limits_in(series, rows), first = study::limits_in({series.front()}, rows);
   if (limits.empty()) return;
-  if (limits.front().fit) print_fit(*limits.front().fit);
+  if (!first.empty() && first.front().fit) print_fit(*first.front().fit);
   if (const auto test = tested.published.test_limit_mps) std::printf("  %-22s %.1f m/s\n", "limit of the tests", *test);
-  finish_repeats(series, out);
+  finish_repeats(series, width_mps, out);
   ogive::write_atomically(out / "limits.csv", study::limits_csv(limits, own_columns));
   try {
     std::vector<study::Series> drawn = series;
@@ -161,6 +168,9 @@ int limit(const options::Arguments &arguments) {
     any.velocity_mps = -1;
     o.out = shot::default_out(any).string() + "_limit";
   }
+  if (o.seed > shot::largest_seed + 1 - l.repeats)
+    options::refuse("--repeats", std::to_string(l.repeats),
+                    "must be at most " + std::to_string(shot::largest_seed + 1 - o.seed) + " with this --seed");
   // Two shots on a core each take less time than one after the other on both.
   const int threads = o.threads.value_or(study::cores());
   const study::Study study{.out = o.out, .own_columns = own_columns, .jobs = std::min(4, threads), .cores = threads};
@@ -211,7 +221,7 @@ int limit(const options::Arguments &arguments) {
   return study::run_study("ogive limit", study, l.run, run, [&] {
     if (!complete) return;
     if (!l.run) print_bisection(series.front(), o.out);
-    finish(series, tested, o.out);
+    finish(series, l.width_mps, tested, o.out);
   });
 }
 

@@ -4,6 +4,8 @@
 #include "materials/library.hpp"
 #include "named_projectile.hpp"
 #include "ogive/perforation/method.hpp"
+#include "ogive/sim/hash.hpp"
+#include "parts.hpp"
 #include "plates.hpp"
 #include "projectile.hpp"
 #include "table.hpp"
@@ -27,9 +29,27 @@ std::optional<double> default_damage_length_mm(Method method, DamageLaw damage) 
   return std::nullopt;
 }
 
+/// "1=lead+2=mine" of the metals of parts.
+std::string label_of_parts(const Options &o) {
+  std::vector<std::string> labels;
+  for (const std::string &entry : o.part_metals) {
+    const PartMetal part = part_metal_of(entry);
+    labels.push_back(entry_of({part.part, materials::label_of(part.metal)}));
+  }
+  return options::joined(labels, "+");
+}
+
+/// A short text that differs for other points.
+std::string label_of_points(const std::vector<double> &points) {
+  return points.empty() ? "" : options::printed("%08x", static_cast<unsigned>(ogive::hash_values(0, points)));
+}
+
 /// The value of an option in the name of a folder, numbers without the last digits of a conversion; empty for lists,
 /// texts and files, which the name has already.
-std::string label_of(const options::Option &option) {
+std::string label_of(const Options &o, const options::Option &option) {
+  if (option.key == std::string_view("part_metals")) return label_of_parts(o);
+  if (option.key == std::string_view("core_profile_mm")) return label_of_points(o.core_profile_mm);
+  if (option.key == std::string_view("filler_profile_mm")) return label_of_points(o.filler_profile_mm);
   if (option.key == std::string_view("projectile_metal")) {
     const std::string metal = shown(option);
     return materials::label_of(metal);
@@ -95,8 +115,9 @@ std::string differences(Options here) {
   const auto mine = table_of(here).options, others = table_of(there).options;
   std::string text;
   for (std::size_t i = 0; i < mine.size(); ++i)
-    if (mine[i].group != run_group && label_of(mine[i]) != label_of(others[i]))
-      text += "_" + std::string(mine[i].key) + "=" + label_of(mine[i]);
+    if (const std::string label = label_of(here, mine[i]);
+        mine[i].group != run_group && label != label_of(there, others[i]))
+      text += "_" + std::string(mine[i].key) + "=" + label;
   return text;
 }
 

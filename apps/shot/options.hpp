@@ -134,6 +134,9 @@ inline constexpr double largest_velocity_mps = 3000;
 /// Above it a run warns that it is outside of what was compared with tests, m/s.
 inline constexpr double fastest_tested_mps = 1500;
 
+/// Largest number of an arrangement of the particles.
+inline constexpr int largest_seed = 1000000;
+
 /// Longest time that a run may have, us.
 inline constexpr double longest_us = 100000;
 

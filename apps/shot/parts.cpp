@@ -51,8 +51,15 @@ void add_parts(options::Table &t, Options &o) {
   metals.range = "";
   metals.allowed_text = allowed_entries + materials::allowed_projectile_metals();
   metals.assign = [&o](const Given &given) {
-    o.part_metals.clear();
-    for (const Given &one : entries_given(given)) o.part_metals.push_back(entry_given(one));
+    std::vector<std::string> seen;
+    for (const Given &one : entries_given(given)) {
+      const std::string entry = entry_given(one), name = part_metal_of(entry).part;
+      if (std::find(seen.begin(), seen.end(), name) != seen.end()) refuse(given.where, name, "must be given once");
+      seen.push_back(name);
+      // Parts that are not named keep the metals that their projectile gives them.
+      std::erase_if(o.part_metals, [&](const std::string &earlier) { return part_metal_of(earlier).part == name; });
+      o.part_metals.push_back(entry);
+    }
   };
   metals.toml = [&o] {
     std::vector<std::string> entries;
@@ -100,9 +107,8 @@ std::vector<std::string> part_materials(const Options &o) {
   return metals;
 }
 
-void settle_parts(const Options &o, const options::Origins &origins) {
+void settle_parts(Options &o, const options::Origins &origins) {
   const auto names = parts_of(o);
-  std::vector<std::string> seen;
   for (const std::string &entry : o.part_metals) {
     const PartMetal part = part_metal_of(entry);
     if (std::find(names.begin(), names.end(), part.part) == names.end())
@@ -110,10 +116,18 @@ void settle_parts(const Options &o, const options::Origins &origins) {
              names.size() == 1 && names.front() == "1" && !o.own_mesh.read
                  ? "needs a projectile with parts: --core-profile-mm, or a mesh with several"
                  : "must be one of the parts " + options::joined(names));
-    if (std::find(seen.begin(), seen.end(), part.part) != seen.end())
-      refuse(options::origin_of(origins, "part_metals"), part.part, "must be given once");
-    seen.push_back(part.part);
   }
+  // A file that no part is made of has no copy in the folder of the results.
+  const auto metals = part_materials(o);
+  if (std::find(metals.begin(), metals.end(), o.projectile_metal) == metals.end() &&
+      materials::is_material_file(o.projectile_metal))
+    o.projectile_metal = Options{}.projectile_metal;
+}
+
+std::string part_metals_label(const Options &o) {
+  std::vector<std::string> labels;
+  for (const std::string &metal : part_materials(o)) labels.push_back(materials::label_of(metal));
+  return options::joined(labels, "+");
 }
 
 std::vector<std::string> part_metal_files(const Options &o) {

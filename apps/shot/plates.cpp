@@ -186,13 +186,11 @@ Plates projectile_metals_of(const Options &o) {
       metals.push_back(
           materials::find_metal(name, o.model, name == o.projectile_metal ? "--projectile-metal" : "--part-metals"));
   }
-  // Its hexes do not fail: there is nothing that they could turn into.
+  // A projectile's hexes do not fail.
   for (AnyMetal &metal : metals)
     std::visit([](auto &any) { any.damage.law = DamageLaw::none, any.damage.effect = FailureEffect::none; }, metal);
   return metals;
 }
-
-AnyMetal projectile_metal_of(const Options &o) { return projectile_metals_of(o).front(); }
 
 /// Those with a flow law of their own first: the others get the same.
 void settle_materials(Options &o, const Origins &origins) {

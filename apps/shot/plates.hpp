@@ -42,9 +42,6 @@ Plates plates_of(const Options &options);
 /// The metals of the projectile's parts, without damage. Throws SetupError.
 Plates projectile_metals_of(const Options &options);
 
-/// That of the first part.
-materials::AnyMetal projectile_metal_of(const Options &options);
-
 /// What is doubtful about a case, a line for each: the flow stress and the constants of damage that its metals use, and
 /// its velocity.
 std::vector<std::string> doubts_of(const Options &options, const Plates &plates);

@@ -8,6 +8,7 @@
 #include "materials/library.hpp"
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/version.hpp"
+#include "parts.hpp"
 #include "plates.hpp"
 #include "projectile.hpp"
 #include "table.hpp"
@@ -162,7 +163,7 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   j["yaw_deg"] = o.yaw_deg;
   j["projectile"] = o.rigid ? "rigid" : "deformable";
   j["projectile_name"] = projectile_label(o);
-  j["projectile_metal"] = materials::label_of(o.projectile_metal);
+  j["projectile_metal"] = part_metals_label(o);
   j["thickness_mm"] = o.thickness_mm;
   j["spacing_mm"] = s.sizes.spacing_mm;
   j["friction"] = o.friction;

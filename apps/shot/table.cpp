@@ -208,7 +208,7 @@ void add_discretisation(Table &t, Options &o) {
   add(t, o.lattice, {.key = "lattice", .meaning = "arrangement of the particles", .source = "ring, cubic with "
       "--method paper: ours, paper"});
   add(t, o.seed, {.key = "seed", .meaning = "disturbs the arrangement at random, by up to 5 % of the particle distance; "
-      "each seed is another arrangement, 0 the lattice itself", .source = "ours", .limits = {0, 1000000, ""}});
+      "each seed is another arrangement, 0 the lattice itself", .source = "ours", .limits = {0, largest_seed, ""}});
   add(t, o.form, {.key = "form", .meaning = "SPH with corrected gradients, or the textbook's", .source = "ours"});
   add(t, o.kernel, {.key = "kernel", .meaning = "of SPH", .source = "ours"});
   add(t, o.smoothing, {.key = "smoothing", .meaning = "smoothing length, constant or following the density",

@@ -171,6 +171,10 @@ std::string conflict(const Study &study, const Case &shot) {
   shot::Options options = shot.options;
   options.out = folder_of(study, shot);
   const auto other = shot::other_case(options);
+  std::error_code none;
+  if (!other && fs::exists(options.out / "case.toml", none))
+    return (options.out / "case.toml").string() + " cannot be read, perhaps it is of another version; give another --out "
+           "or remove the folder";
   if (!other || other->empty()) return "";
   return "the results in " + options.out.string() + " are of a case with another " + *other +
          "; give another --out or remove them";

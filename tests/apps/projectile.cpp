@@ -81,11 +81,11 @@ TEST_CASE("a projectile of a file has names that count from its folder, and case
   CHECK(o.rigid);
   CHECK(o.profile_mm == std::vector<double>{0, 2, 8, 6, 30, 6});
   CHECK(o.out == "vtk_out/weldox_460e_mjc_mine_12mm_303.5mps_spacing_mm=1");
-  std::visit([](const auto &metal) { CHECK(metal.name == "fsp_steel"); }, shot::projectile_metal_of(o));
+  std::visit([](const auto &metal) { CHECK(metal.name == "fsp_steel"); }, shot::projectile_metals_of(o).front());
 
   // The folder of the results has all that the case needs.
   write(in / "case.toml", shot::case_text(o));
-  write(in / "projectile_metal.toml", materials::to_toml(shot::projectile_metal_of(o), ""));
+  write(in / "projectile_metal.toml", materials::to_toml(shot::projectile_metals_of(o).front(), ""));
   std::filesystem::remove(in / "nose.csv"), std::filesystem::remove(in / "mine.toml");
   const std::string again = (in / "case.toml").string();
   const Options same = options_of({"--config", again.c_str()});
@@ -93,7 +93,7 @@ TEST_CASE("a projectile of a file has names that count from its folder, and case
   CHECK(same.out == o.out);
   CHECK(same.mass_g == o.mass_g);
   CHECK(same.rigid);
-  CHECK(materials::to_toml(shot::projectile_metal_of(same), "") == materials::to_toml(steel, ""));
+  CHECK(materials::to_toml(shot::projectile_metals_of(same).front(), "") == materials::to_toml(steel, ""));
 }
 
 TEST_CASE("a bilinear metal of a file reads back as the same") {
