@@ -137,5 +137,5 @@ TEST_CASE("the whole bullet is three parts of three metals") {
   CHECK(1e3 * mass == Approx(10.7).epsilon(0.02));
   const Options other =
       options_of({"--projectile", "apm2_762", "--spacing-mm", "1", "--part-metals", "filler=ofhc_copper"});
-  CHECK(shot::part_materials(other) == std::vector<std::string>{"apm2_core_steel", "ofhc_copper", "apm2_core_steel"});
+  CHECK(shot::part_materials(other) == std::vector<std::string>{"gilding_metal", "ofhc_copper", "apm2_core_steel"});
 }

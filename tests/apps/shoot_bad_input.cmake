@@ -33,7 +33,7 @@ refuses("${shoot}" "or a file that ends in .toml, the nearest is weldox_460e" --
 refuses("${shoot}" "--material = missing.toml: must be a TOML file that can be read" --material missing.toml)
 refuses("${shoot}" "half.toml: model \"jc\" lacks density_kg_per_m3, " --material half.toml)
 refuses("${shoot}" "rate_factor and does not know a; its keys are name, " --material half.toml)
-refuses("${shoot}" "--failure = removal: needs --damage" --failure removal)
+refuses("${shoot}" "--failure = removal: needs --damage" --damage none --failure removal)
 refuses("${shoot}" "--checkpoint-every-us = -1: must lie between 0 and 100000 us" --checkpoint-every-us -1)
 refuses("${shoot}" "checkpoint = missing.bin: must be a file that can be read" --restart missing.bin)
 refuses("${shoot}" "checkpoint = missing.bin: must be a file that can be read" --restart missing.bin --resume)

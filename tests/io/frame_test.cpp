@@ -43,6 +43,7 @@ auto particles_and_hex() {
       add_nodes(nodes, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}});
   set_velocity(nodes, projectile.nodes, Vec3<double>(1, 2, -300));
   projectile.hexes = {{2, 3, 4, 5, 6, 7, 8, 9}};
+  projectile.corners_of_nodes = corners_of_nodes(projectile.hexes, projectile.nodes);
   fill(projectile.points, 8, stressed_point());
   for (Index i = 4; i < 8; ++i) store(projectile.points, i, MaterialPoint<double>{});
   Model model{std::move(nodes), std::tuple{std::move(plate), std::move(projectile)}, SymmetryPlanes{false, true}};
