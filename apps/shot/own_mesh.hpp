@@ -21,7 +21,7 @@ double metres(MeshUnit unit);
 /// What was read of a file.
 struct MeshOfFile {
   std::string bytes;               ///< of the file, to be copied
-  ogive::FileMesh mesh;            ///< as it is there
+  ogive::FileMesh mesh;            ///< of the file, before it is cut or moved
   ogive::OwnProjectile projectile; ///< for the extent of the model
 };
 

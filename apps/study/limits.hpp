@@ -72,7 +72,7 @@ std::vector<Case> first_pair(const Series &series, const std::vector<Row> &rows,
 /// of the curve through the residual velocities.
 std::optional<double> next_velocity(const Series &series, const std::vector<Row> &rows, double width_mps);
 
-/// The shot with twice the time that its undecided row has had, up to eight times the default; as it is if its time is
+/// The shot with twice the time that its undecided row has had, up to eight times the default; unchanged if its time is
 /// not the default.
 Case with_more_time(Case shot, const Row &row);
 

@@ -58,5 +58,6 @@ TEST_CASE("an oblique shot slows down along its line, turns away from the plate 
   // The leading edge is held back first. The edge of a rigid projectile does not yield, and takes more of the blow.
   CHECK(half.spin[1] > 30);
   CHECK(rigid.spin[1] > half.spin[1]);
-  CHECK(rigid.spin[1] < 5 * half.spin[1]);
+  // A regression, 3.46 with hexes that yield in bending; the last bits move it by a few per cent on so coarse a plate.
+  CHECK(rigid.spin[1] / half.spin[1] == Approx(3.46).epsilon(0.1));
 }

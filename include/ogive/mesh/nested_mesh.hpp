@@ -14,7 +14,7 @@
 /// \file
 /// Bodies of revolution with surfaces within them: a core in a filler in a jacket, a tube, a cup. Every cross section
 /// is an O-grid with more shells: its nodes lie on all surfaces, so that no hex has two metals. In front of an inner
-/// surface and behind it its shell goes on, closer to the axis where the body narrows. Nodes of surfaces lie a little
+/// surface and behind it its shell continues, closer to the axis where the body narrows. Nodes of surfaces lie a little
 /// outside of the true circles, as those of projectile_mesh(): parts between frusta have exactly the analytic volume.
 
 namespace ogive {

@@ -71,7 +71,7 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
   MeshCollector all{file, unit};
   Keyword keyword;
   bool continues = false;
-  std::vector<std::string_view> element; // fields of one that goes on
+  std::vector<std::string_view> element; // fields of one that continues on the next line
   long element_line = 0;
   std::vector<Keyword> sections;
   std::vector<std::string> sets; // of each part, in capitals and without blanks: as Abaqus compares names
