@@ -29,7 +29,8 @@ template <class To> ogive::Metal<double, To> like(const AnyMetal &other) {
       [](const auto &metal) {
         ogive::Metal<double, To> m;
         m.density = metal.density, m.elasticity = metal.elasticity, m.eos = metal.eos;
-        m.specific_heat = metal.specific_heat, m.taylor_quinney = metal.taylor_quinney;
+        m.specific_heat = metal.specific_heat, m.thermal_conductivity = metal.thermal_conductivity;
+        m.taylor_quinney = metal.taylor_quinney;
         m.room_temperature = metal.room_temperature, m.melting_temperature = metal.melting_temperature;
         m.rate_floor = metal.rate_floor;
         m.flow.factors = factors_of(metal.flow);

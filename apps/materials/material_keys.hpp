@@ -104,6 +104,13 @@ template <class M, class F> void for_each_key(M &&m, F &&f) {
   f(Key{"young_modulus_GPa", "", {0.1, 2000, "GPa"}, 9}, m.elasticity.young);
   f(Key{"poisson_ratio", "", {0, 0.495}}, m.elasticity.poisson);
   f(Key{"specific_heat_J_per_kgK", "0: plastic work does not heat", {0, 20000, "J/(kg K)"}}, m.specific_heat);
+  f(Key{"thermal_conductivity_W_per_mK",
+        "0: not known; no bands of shear form",
+        {0, 3000, "W/(m K)"},
+        0,
+        always,
+        false},
+    m.thermal_conductivity);
   f(Key{"room_temperature_K", "at the start", {1, 5000, "K"}}, m.room_temperature);
   f(Key{"melting_temperature_K", "", {1, 10000, "K"}}, m.melting_temperature);
   f(Key{"taylor_quinney", "fraction of plastic work that heats", {0, 1}, 0, always, false}, m.taylor_quinney);
@@ -124,8 +131,6 @@ template <class M, class F> void for_each_key(M &&m, F &&f) {
   f(Key{"damage_reference_rate_per_s", "of D4", {1e-12, 1e9, "1/s"}, 0, strain, false}, failure.reference_rate);
   constexpr char term[] = "(rate/reference)^D4, or 1 + D4 ln(rate/reference)";
   f(Key{"damage_rate_term", term, {}, 0, strain, false}, failure.rate_term);
-  constexpr char shear[] = "particle distance for which damage holds in bands of shear; 0: any";
-  f(Key{"shear_length_mm", shear, {0, 100, "mm"}, -3, strain, false}, m.damage.shear_length);
   f(Key{"critical_work_MPa", "Cockcroft-Latham", {0.001, 1e6, "MPa"}, 6, work}, m.damage.critical_work);
 }
 

@@ -23,12 +23,6 @@ double default_friction(const Options &o) {
   return metal == nullptr ? 0.08 : metal->sharp_friction;
 }
 
-/// Particle distance for which the constants of damage hold, mm; unset: that of each metal.
-std::optional<double> default_damage_length_mm(Method method, DamageLaw damage) {
-  if (damage == DamageLaw::none || !ogive::choices_of<double>(method).has_length) return 0;
-  return std::nullopt;
-}
-
 /// "1=lead+2=mine" of the metals of parts.
 std::string label_of_parts(const Options &o) {
   std::vector<std::string> labels;
@@ -144,14 +138,12 @@ void take_defaults(Options &o, const options::Origins &origins) {
   const auto choices = ogive::choices_of<double>(o.method);
   if (is_open("lattice")) o.lattice = choices.lattice;
   if (is_open("damage")) o.damage = default_damage(o);
-  if (is_open("damage_length_mm")) o.damage_length_mm = default_damage_length_mm(o.method, o.damage);
+  if (is_open("band_time_us")) o.band_time_us = choices.band_time * 1e6;
   if (o.damage != DamageLaw::none) {
     if (is_open("damage_softening")) o.damage_softening = choices.softening;
-    if (is_open("damage_length_scope")) o.damage_length_scope = choices.length_scope;
     if (is_open("damage_pressure")) o.damage_pressure = choices.numerics.sph.damage_pressure;
   } else {
     if (is_open("damage_softening")) o.damage_softening = 0;
-    if (is_open("damage_length_scope")) o.damage_length_scope = LengthScope::everywhere;
     if (is_open("damage_pressure")) o.damage_pressure = DamagePressure::own;
   }
   if (is_open("control_stiffness")) o.control_stiffness = choices.numerics.sph.control.stiffness;

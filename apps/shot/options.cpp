@@ -99,8 +99,6 @@ void check(const Options &o, const Origins &origins) {
     const std::string needed = "needs --damage jc or --damage cockcroft_latham";
     if (o.failure != FailureEffect::none) refuse("failure", o.failure, needed);
     if (o.damage_softening > 0) refuse("damage_softening", o.damage_softening, needed);
-    if (o.damage_length_mm.value_or(0) > 0) refuse("damage_length_mm", *o.damage_length_mm, needed);
-    if (o.damage_length_scope != LengthScope::everywhere) refuse("damage_length_scope", o.damage_length_scope, needed);
     if (o.damage_pressure != DamagePressure::own) refuse("damage_pressure", o.damage_pressure, needed);
   }
   const double thinnest =

@@ -23,7 +23,6 @@ using ogive::DamagePressure;
 using ogive::Extent;
 using ogive::FailureEffect;
 using ogive::Lattice;
-using ogive::LengthScope;
 using ogive::Method;
 using ogive::Nose;
 using ogive::PressureLaw;
@@ -45,18 +44,17 @@ struct Restart {
 /// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
 struct Options {
   Method method = Method::stabilised;
-  std::string material = "weldox_460e";        ///< a name of the library, or a file that ends in .toml
-  FlowModel model = FlowModel::mjc;            ///< parse() takes the file's where the material is one
+  std::string material = "weldox_460e"; ///< a name of the library, or a file that ends in .toml
+  FlowModel model = FlowModel::mjc;     ///< parse() takes the file's where the material is one
   /// Of damage parse() takes the method's where nothing is given.
   DamageLaw damage = DamageLaw::johnson_cook;
   FailureEffect failure = FailureEffect::no_tension;
-  double damage_softening = 0.3;            ///< Dc
-  std::optional<double> damage_length_mm{}; ///< unset: shear_length_mm of each plate
-  LengthScope damage_length_scope = LengthScope::in_shear;
+  double damage_softening = 0.3; ///< Dc
+  double band_time_us = 50;
   DamagePressure damage_pressure = DamagePressure::neighbours;
-  double thickness_mm = 12;                    ///< of several plates the sum
-  std::vector<double> layers_mm;               ///< thicknesses of several plates from front to rear; empty: one plate
-  std::vector<double> gaps_mm;                 ///< between them; parse() makes it one for each two plates
+  double thickness_mm = 12;                 ///< of several plates the sum
+  std::vector<double> layers_mm;            ///< thicknesses of several plates from front to rear; empty: one plate
+  std::vector<double> gaps_mm;              ///< between them; parse() makes it one for each two plates
   std::vector<std::string> layer_materials; ///< one for each plate, the first one's is `material` too; empty: all that
   double clamp_radius_mm = 250;
 

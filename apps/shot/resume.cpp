@@ -31,7 +31,6 @@ bool is_changeable(const std::string &key) {
 /// The options of a checkpoint.
 Options options_in(const SavedCase &saved, const std::filesystem::path &file) {
   Options o;
-  o.damage_length_mm.reset(); // the case has all that is set
   const options::Table table = table_of(o);
   options::Origins origins;
   for (const Given &given : options::entries_of(table, saved.case_toml, "case in " + file.string(), toml_example))

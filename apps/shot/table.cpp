@@ -54,16 +54,13 @@ void add_plate(Table &t, Options &o) {
       .meaning = "part of the flow stress that full damage takes away",
       .source = "0.3, 0 with --method paper: Boervik et al. 2001",
       .limits = {0, 1, ""}});
-  add(t, o.damage_length_mm, {.key = "damage_length_mm", .meaning = "particle distance for which the constants of "
-      "damage hold; failure strains grow with finer ones; 0: hold for any",
-      .source = "shear_length_mm of the material, 0 with --method paper: ours",
-      .limits = {0, 100, "mm"}});
-  add(t, o.damage_length_scope, {.key = "damage_length_scope",
-      .meaning = "stresses at which failure strains follow --damage-length-mm: any, or in full up to triaxiality "
-      "0, less and less up to 1/3", .source = "in_shear, everywhere with --method paper: ours"});
   add(t, o.damage_pressure, {.key = "damage_pressure",
       .meaning = "pressure that damage follows: each particle's own, or the mean of its neighbours",
       .source = "neighbours, own with --method paper: ours"});
+  add(t, o.band_time_us, {.key = "band_time_us",
+      .meaning = "bands of adiabatic shear are as wide as heat spreads in this time; 0: no bands form",
+      .source = "50, 0 with --method paper: ours",
+      .limits = {0, 1e6, "us"}});
   add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "of the plate", .source = "paper, Fig. 11",
       .brief = "thickness of the plate", .limits = {0.05, 500, "mm"}});
   add(t, o.layers_mm, {.key = "layers_mm", .meaning = "thicknesses of several plates behind each other, from front "

@@ -34,9 +34,6 @@ constexpr auto choices(DamageLaw) {
   return options::named<DamageLaw>(
       {{DamageLaw::none, "none"}, {DamageLaw::johnson_cook, "jc"}, {DamageLaw::cockcroft_latham, "cockcroft_latham"}});
 }
-constexpr auto choices(LengthScope) {
-  return options::named<LengthScope>({{LengthScope::everywhere, "everywhere"}, {LengthScope::in_shear, "in_shear"}});
-}
 constexpr auto choices(DamagePressure) {
   return options::named<DamagePressure>({{DamagePressure::own, "own"}, {DamagePressure::neighbours, "neighbours"}});
 }

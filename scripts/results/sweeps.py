@@ -17,6 +17,9 @@ FOLDER = ROOT / "vtk_out" / "bench"
 PROGRAM = PROGRAMS / "ogive"
 
 
+PATHS = {"material"}  # columns whose values may be paths
+
+
 class Sweep(NamedTuple):
     folder: str  # below vtk_out/bench
     cases: str  # bench/cases/CASES.csv
@@ -58,6 +61,9 @@ def cases_file(sweep, folder):
             shown = subprocess.run([PROGRAM, "materials", "show", metal], check=True, capture_output=True, text=True)
             write_text(folder / fields[at], changed_metal(shown.stdout, fields[at], changes))
             fields[at] = str(folder / fields[at])
+        elif fields[at].endswith(".toml"):
+            fields[at] = str(ROOT / fields[at])
+    folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "cases.csv", "w", encoding="utf-8", newline="") as stream:
         csv.writer(stream, lineterminator="\n").writerows([header, *(fields for _, fields in records)])
     return folder / "cases.csv"
@@ -97,10 +103,12 @@ def limit_rows(sweep):
     --vary a case has several."""
     file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
     columns = [column for column in listed[0] if column not in ("name", "text")]
+    for case in listed:
+        case.update({column: Path(case[column]).name for column in PATHS & case.keys()})
     given = {column: {case[column] for case in listed} - {""} for column in columns}
 
     def value(row, column):
-        return Path(row[column]).name if column == "material" else row[column]
+        return Path(row[column]).name if column in PATHS else row[column]
 
     return [(case, row) for case in listed for row in (texts(file) if file.exists() else [])
             if row["bisection_limit_mps"] and all(value(row, c) == case[c] if case[c] else value(row, c) not in given[c]

@@ -122,6 +122,15 @@ def repeats(sweeps):
          "90 % interval of the mean, m/s", "mean against the test"], rows)
 
 
+def open_limits(sweeps):
+    """Limits beside tests with other projectiles and metals than the paper's."""
+    tests = {f"{test['projectile']} at {test['thickness_mm']} mm {test['target']}": float(test["V50_mps"])
+             for test in runs.texts(ROOT / "apps" / "data" / "v50_open.csv")}
+    return markdown_table(["projectile and plate", "particle distance, mm", "test, m/s", "computed, m/s", "error"], [
+        [case["text"], case["spacing_mm"], f"{tests[case['text']]:.0f}", row["bisection_limit_mps"],
+         percent(float(row["bisection_limit_mps"]), tests[case["text"]])] for case, row in runs.limit_rows(sweeps[0])])
+
+
 def scale(sweeps):
     """Limits of the same geometry in several sizes."""
     found = runs.limits(sweeps[0])
@@ -232,6 +241,10 @@ TABLES = {
         Table("Method `stabilised`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection to 2.5 m/s with three "
               "arrangements of the particles (`--seed`):", repeats,
               (Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1"),))]),
+    "open": ("beyond", [
+        Table("Method `stabilised`, other projectiles and metals: limits by bisection to 2.5 m/s beside the tests "
+              "([v50_open.csv](../apps/data/v50_open.csv)):", open_limits,
+              (Sweep("open", "open", "--limit --method stabilised"),))]),
     "sizes_stabilised": ("beyond", [
         Table("Method `stabilised`, other particle distances: limits by bisection to 2.5 m/s. Those with 0.6 mm are on the page "
               "of results.", sizes, tuple(

@@ -71,8 +71,7 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   CHECK(stabilised.damage == shot::DamageLaw::johnson_cook);
   CHECK(stabilised.failure == shot::FailureEffect::no_tension);
   CHECK(stabilised.damage_softening == 0.3);
-  CHECK_FALSE(stabilised.damage_length_mm);
-  CHECK(stabilised.damage_length_scope == shot::LengthScope::in_shear);
+  CHECK(stabilised.band_time_us == 50);
   CHECK(stabilised.damage_pressure == shot::DamagePressure::neighbours);
   CHECK(stabilised == options_of({}));
   CHECK(stabilised.lattice == shot::Lattice::ring);
@@ -81,25 +80,22 @@ TEST_CASE("the method brings its damage along, unless the user says otherwise") 
   std::visit(
       [](const auto &metal) {
         CHECK(metal.damage.softening == 0.3);
-        CHECK(metal.damage.length == 0.22e-3);
-        CHECK(metal.damage.length_scope == shot::LengthScope::in_shear);
+        CHECK(metal.shear_band.time == Approx(50e-6));
       },
       plate_of(stabilised));
   const Options undamaged = options_of({"--method", "stabilised", "--damage", "none"});
   CHECK(undamaged.failure == shot::FailureEffect::none);
   CHECK(undamaged.damage_softening == 0);
-  CHECK(undamaged.damage_length_mm == 0);
+  CHECK(undamaged.band_time_us == 50); // bands need no damage
   CHECK(undamaged.damage_pressure == shot::DamagePressure::own);
   const Options paper = options_of({"--method", "paper"});
   CHECK(paper.damage == shot::DamageLaw::none);
   CHECK(paper.lattice == shot::Lattice::cubic);
   CHECK(paper.control_stiffness == 0);
   CHECK(options_of({"--method", "paper", "--damage", "jc"}).damage_softening == 0);
-  CHECK(options_of({"--method", "paper", "--damage", "jc"}).damage_length_scope == shot::LengthScope::everywhere);
+  CHECK(paper.band_time_us == 0);
   CHECK(refusal({"--method", "paper", "--damage-pressure", "neighbours"}) ==
         "--damage-pressure = neighbours: needs --damage jc or --damage cockcroft_latham");
-  CHECK(refusal({"--damage", "none", "--damage-length-scope", "in_shear"}) ==
-        "--damage-length-scope = in_shear: needs --damage jc or --damage cockcroft_latham");
   CHECK(options_of({"--damage-softening", "0.1"}).damage_softening == 0.1);
 }
 
@@ -115,33 +111,6 @@ TEST_CASE("a metal without failure strains has no damage unless it is asked for,
         shot::DamageLaw::johnson_cook);
   CHECK(refusal({"--material", "aa6061_t651", "--damage", "jc"}) ==
         "--damage = jc: needs D1, D2, D3, D4, D5 in aa6061_t651");
-}
-
-TEST_CASE(
-    "stabilised particles have the length of each plate's own bands of shear, unless the user gives one for all") {
-  const auto lengths = [](std::vector<const char *> arguments) {
-    arguments.insert(arguments.end(), {"--method", "stabilised"});
-    std::vector<double> all;
-    for (const auto &plate : plates_of(options_of(arguments)))
-      std::visit([&](const auto &metal) { all.push_back(metal.damage.length); }, plate);
-    return all;
-  };
-  CHECK(lengths({}) == std::vector{0.22e-3});
-  CHECK(lengths({"--model", "jc"}) == std::vector{0.22e-3});
-  CHECK(lengths({"--material", "aa5083_h116"}) == std::vector{0.0});
-  CHECK(lengths({"--layers-mm", "4,8", "--layer-materials", "weldox_460e,aa5083_h116"}) == std::vector{0.22e-3, 0.0});
-  CHECK(lengths({"--layers-mm", "4,8", "--layer-materials", "weldox_460e,aa5083_h116", "--damage-length-mm", "0.5"}) ==
-        std::vector{0.5e-3, 0.5e-3});
-  CHECK(lengths({"--damage-length-mm", "0"}) == std::vector{0.0});
-  CHECK(lengths({"--damage", "none"}) == std::vector{0.0});
-
-  // A copy of a metal keeps the length that it says.
-  const Materials m;
-  CHECK(lengths({"--material", m.steel.c_str()}) == std::vector{0.22e-3});
-  auto metal = library::weldox_460e_mjc<double>();
-  metal.damage.shear_length = 0.3e-3;
-  write(m.steel, materials::to_toml(metal, ""));
-  CHECK(lengths({"--material", m.steel.c_str()}) == std::vector{0.3e-3});
 }
 
 TEST_CASE("damage is off, and where it is on failure takes the tension") {

@@ -111,7 +111,8 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--material", "no_such.toml"}, "--material = no_such.toml: must be a TOML file that can be read: No such file"},
       {{"--damage", "yes"}, "--damage = yes: must be one of none, jc, cockcroft_latham"},
       {{"--damage", "jc", "--failure", "crack"}, "--failure = crack: must be one of none, no_tension, removal"},
-      {{"--damage", "none", "--failure", "removal"}, "--failure = removal: needs --damage jc or --damage cockcroft_latham"},
+      {{"--damage", "none", "--failure", "removal"},
+       "--failure = removal: needs --damage jc or --damage cockcroft_latham"},
       {{"--method", "fem"}, "--method = fem: must be one of paper, stabilised"},
       {{"--method", "paper", "--damage-softening", "0.3"},
        "--damage-softening = 0.3: needs --damage jc or --damage cockcroft_latham"},
@@ -235,8 +236,7 @@ TEST_CASE("case.toml runs the same case again") {
   all.method = shot::Method::stabilised;
   all.damage = shot::DamageLaw::cockcroft_latham;
   all.damage_softening = 0.25;
-  all.damage_length_mm = 0.7;
-  all.damage_length_scope = shot::LengthScope::everywhere;
+  all.band_time_us = 70;
   all.damage_pressure = shot::DamagePressure::own;
   all.failure = shot::FailureEffect::removal;
   all.thickness_mm = 25.1;

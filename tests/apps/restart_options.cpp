@@ -43,21 +43,6 @@ TEST_CASE("a run that goes on has the options of its checkpoint and the folder t
   CHECK(restarted == o);
 }
 
-TEST_CASE("a length that each metal has for itself stays so when the run goes on") {
-  const TemporaryFolder folder;
-  const Options o = options_of({"--method", "stabilised", "--layers-mm", "4,8", "--layer-materials",
-                                "weldox_460e,aa5083_h116", "--out", "elsewhere"});
-  Options restarted = options_of({"--restart", write_checkpoint_of(folder.path, o).c_str()});
-  CHECK_FALSE(restarted.damage_length_mm);
-  std::vector<double> lengths;
-  for (const auto &plate : plates_of(restarted))
-    std::visit([&](const auto &metal) { lengths.push_back(metal.damage.length); }, plate);
-  CHECK(lengths == std::vector{0.22e-3, 0.0});
-  restarted.restart.reset();
-  restarted.out = o.out;
-  CHECK(restarted == o);
-}
-
 TEST_CASE("what leaves the physics as it is may be changed, nothing else") {
   const TemporaryFolder folder;
   const std::string file = write_checkpoint_of(folder.path, Options{});

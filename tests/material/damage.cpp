@@ -250,62 +250,6 @@ TEST_CASE("damage softens the flow stress", "[material]") {
   CHECK(radial_return(metal, p, 0.5 * sound, dt).flow_stress == Approx(0.7 * sound).epsilon(1e-12)); // D counts to 1
 }
 
-TEST_CASE("a body of finer particles bears more strain before it fails", "[material]") {
-  Damage<double> damage = isothermal(DamageLaw::johnson_cook, FailureEffect::no_tension).damage;
-  damage.critical_work = 3e8;
-  const double strain = failure_strain(damage.failure_strain, 0.4, 1e3, 0.2);
-  CHECK(failure_strain(regularised(damage, 1e-4).failure_strain, 0.4, 1e3, 0.2) == strain); // no length: for any
-  damage.length = 0.5e-3;
-  const Damage<double> fine = regularised(damage, 0.25e-3);
-  CHECK(failure_strain(fine.failure_strain, 0.4, 1e3, 0.2) == Approx(2 * strain));
-  CHECK(fine.critical_work == Approx(6e8));
-  CHECK(failure_strain(regularised(damage, 1e-3).failure_strain, 0.4, 1e3, 0.2) == Approx(0.5 * strain));
-}
-
-TEST_CASE("a length in shear leaves the failure strain in tension alone", "[material]") {
-  Damage<double> damage = isothermal(DamageLaw::johnson_cook, FailureEffect::no_tension).damage;
-  damage.length = 0.2e-3;
-  damage.length_scope = LengthScope::in_shear;
-  const Damage<double> coarse = regularised(damage, 0.8e-3);
-  CHECK(coarse.failure_strain.D1 == damage.failure_strain.D1);
-  CHECK(coarse.critical_work == damage.critical_work);
-  CHECK(size_effect(coarse, -2.0) == Approx(0.25));
-  CHECK(size_effect(coarse, 0.0) == Approx(0.25));
-  CHECK(size_effect(coarse, 1.0 / 6.0) == Approx(0.5)); // halfway: the root of a quarter
-  CHECK(size_effect(coarse, 1.0 / 3.0) == Approx(1.0));
-  CHECK(size_effect(coarse, 1.5) == Approx(1.0));
-  CHECK(size_effect(regularised(damage, 0.2e-3), -1.0) == 1.0);
-}
-
-TEST_CASE("in shear a point of coarse particles fails at its part of the strain of Eq. 4", "[material]") {
-  auto metal = isothermal(DamageLaw::johnson_cook, FailureEffect::no_tension);
-  metal.damage.failure_strain = {0.05, 0.6, -1.5, 0, 0, 1.0};
-  metal.damage.length = 0.3e-3;
-  metal.damage.length_scope = LengthScope::in_shear;
-  metal.damage = regularised(metal.damage, 0.6e-3);
-  const auto [triaxiality, factor] =
-      GENERATE(table<double, double>({{-0.4, 0.5}, {0.2, std::pow(0.5, 0.4)}, {0.6, 1.0}}));
-  auto p = initial_point(metal);
-  while (p.damage < 1) stretch(metal, p, triaxiality, 1e3, 1e-4, 1e-7);
-  // As above: one step is 1e-4, and the first ones are elastic, without triaxiality, 0.004.
-  CHECK(p.plastic_strain == Approx(factor * (0.05 + 0.6 * std::exp(-1.5 * triaxiality))).epsilon(4e-3).margin(2e-4));
-}
-
-TEST_CASE("the critical work follows a length in shear, too", "[material]") {
-  auto metal = isothermal(DamageLaw::cockcroft_latham);
-  metal.flow.B = metal.flow.C = 0;
-  metal.damage.critical_work = 800e6;
-  metal.damage.length = 0.3e-3;
-  metal.damage.length_scope = LengthScope::in_shear;
-  metal.damage = regularised(metal.damage, 0.6e-3);
-  auto p = initial_point(metal);
-  Mat3<double> L = Mat3<double>::Zero();
-  L(0, 1) = 1e4 * std::sqrt(3.0);
-  for (int i = 0; i < 3000; ++i) p = updated(metal, p, L, 1e-8);
-  // sigma_1 = q/sqrt(3) in simple shear, half the work; second-order terms of the rotation leave a pressure of 1e-4 q.
-  CHECK(p.damage == Approx(metal.flow.A / std::sqrt(3.0) * p.plastic_strain / 400e6).epsilon(1e-3));
-}
-
 TEST_CASE("damage follows the pressure of the neighbours where a point has one", "[material]") {
   auto metal = isothermal(DamageLaw::johnson_cook);
   metal.damage.failure_strain = {0, 1, -1.5, 0, 0, 1.0};

@@ -47,8 +47,8 @@ inline PerforationCase<double> turning_case(Extent extent) {
   return c;
 }
 
-/// The same with all that a shot can have: friction, damage with its effect, by the pressure of the neighbours and with
-/// a length, bonds, a smoothing length that follows the density, mirror planes. With AnyDiscretisation the model is the
+/// The same with all that a shot can have: friction, damage with its effect, by the pressure of the neighbours, bands
+/// of shear, bonds, a smoothing length that follows the density, mirror planes. With AnyDiscretisation the model is the
 /// one that programs run.
 template <class Parts = Discretisation<>>
 auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical, const Parts &parts = {}) {
@@ -59,8 +59,7 @@ auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical, cons
   plate.damage.effect = effect;
   plate.damage.failure_strain = {0.05, 0.05, -1.5, 0, 0, 1};
   plate.damage.softening = 0.3;
-  plate.damage.length = 0.5 * c.spacing;
-  plate.damage.length_scope = LengthScope::in_shear;
+  plate.shear_band.time = 50e-6;
   PerforationOptions<double> numerics;
   numerics.sph.variable_smoothing = true;
   numerics.sph.control.stiffness = 0.3;

@@ -33,6 +33,7 @@ materials::AnyMetal metal_with(const Options &o, const Law &flow, const std::str
   m.elasticity = {*o.young_GPa * 1e9, *o.poisson};
   m.flow = flow;
   m.specific_heat = *o.specific_heat_J_per_kgK;
+  m.thermal_conductivity = o.thermal_conductivity_W_per_mK;
   m.taylor_quinney = o.beta;
   m.room_temperature = o.room_K;
   m.melting_temperature = *o.melting_K;

@@ -104,6 +104,9 @@ Table table_of(Options &o) {
   add(table, o.specific_heat_J_per_kgK, {.key = "specific_heat_J_per_kgK", .meaning = heating,
       .source = "required unless --isothermal", .brief = "also --specific-heat; for fast tests",
       .limits = {1, 20000, "J/(kg K)"}, .alias = "specific-heat"});
+  add(table, o.thermal_conductivity_W_per_mK, {.key = "thermal_conductivity_W_per_mK",
+      .meaning = "thermal conductivity, for the bands of shear of material.toml", .source = "0: not known",
+      .limits = {0, 3000, "W/(m K)"}});
   add(table, o.room_K, {.key = "room_K", .meaning = "room temperature; tests within 10 K of it count as being there",
       .limits = kelvin});
   add(table, o.beta, {.key = "beta", .meaning = "fraction of plastic work that heats", .limits = {0, 1}});

@@ -31,6 +31,7 @@ struct Options {
   std::optional<double> reference_rate_per_s;   ///< of the classical law; unset: the quasi-static curve's
   std::optional<double> C, b;                   ///< known values
 
+  double thermal_conductivity_W_per_mK = 0;
   std::optional<double> density_kg_per_m3, specific_heat_J_per_kgK, melting_K;
   double room_K = 293;
   double beta = 0.9;

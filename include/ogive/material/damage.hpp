@@ -47,47 +47,14 @@ enum class FailureEffect {
   removal     ///< it exerts no force; its nodes keep mass and velocity
 };
 
-/// Where failure strains follow the particle distance, see regularised().
-enum class LengthScope {
-  everywhere, ///< at any stress
-  in_shear    ///< in shear and under pressure, triaxiality 0 and below; not in tension, 1/3 and above
-};
-
 /// Damage of a metal.
 template <class T> struct Damage {
   DamageLaw law = DamageLaw::none;            ///< how damage grows
   FailureEffect effect = FailureEffect::none; ///< what happens at 1
   FailureStrain<T> failure_strain{};          ///< of the Johnson-Cook law
   T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa
-  T shear_length = T(0);                      ///< a `length` for bands of shear in this metal, m; 0: none is known
   T softening = T(0);                         ///< Dc: the flow stress is multiplied by 1 - Dc D (Boervik et al. 2001)
-  T length = T(0); ///< particle distance for which the constants hold, m, see regularised(); 0: for any
-  LengthScope length_scope = LengthScope::everywhere; ///< where they do
-  T shear_factor = T(1); ///< of failure strains in bands of shear, made by regularised(); 1 for the metal itself
 };
-
-/// The damage of a body of particles `spacing` (m) apart. A band of localised shear is as wide as some particle
-/// distances, however fine they are, so that the same displacement means more strain in finer ones; metal that
-/// stretches around it has the same strain in any. Failure strain and critical work are multiplied by length/spacing,
-/// at any stress or, with LengthScope::in_shear, in shear alone.
-template <class T> Damage<T> regularised(Damage<T> damage, T spacing) {
-  if (!(damage.length > T(0))) return damage;
-  const T finer = damage.length / spacing;
-  if (damage.length_scope == LengthScope::in_shear)
-    damage.shear_factor = finer;
-  else
-    damage.failure_strain.D1 *= finer, damage.failure_strain.D2 *= finer, damage.critical_work *= finer;
-  return damage;
-}
-
-/// Factor of failure strain and critical work at a triaxiality: `shear_factor` in shear and under pressure, 1 from
-/// uniaxial tension on, between them a power of it that falls linearly. `N` is T or a pack of T.
-template <class T, class N> N size_effect(const Damage<T> &damage, N triaxiality) {
-  using std::exp, std::max, std::min;
-  if (damage.shear_factor == T(1)) return N(1);
-  const N share = max(N(0), min(N(1), N(1) - N(3) * triaxiality));
-  return exp(N(std::log(damage.shear_factor)) * share);
-}
 
 /// True if a point with the damage `D` has failed, so that failure shows.
 template <class T> bool is_failed(const Damage<T> &damage, T D) {
@@ -120,9 +87,7 @@ template <class N> N triaxiality(const MaterialPoint<N> &point) {
 /// Growth of the damage of Johnson and Cook, see damage_growth(). `N` is T or a pack of T.
 template <class T, class N>
 N johnson_cook_growth(const Damage<T> &damage, const MaterialPoint<N> &point, N increment, N rate, N homologous) {
-  const N stress_state = triaxiality(point);
-  return increment /
-         (size_effect(damage, stress_state) * failure_strain(damage.failure_strain, stress_state, rate, homologous));
+  return increment / failure_strain(damage.failure_strain, triaxiality(point), rate, homologous);
 }
 
 /// johnson_cook_growth() of several points at once; other laws go point by point.
@@ -140,8 +105,7 @@ T damage_growth(const Damage<T> &damage, const MaterialPoint<T> &point, T increm
   case DamageLaw::johnson_cook:
     return johnson_cook_growth(damage, point, increment, rate, homologous);
   case DamageLaw::cockcroft_latham:
-    return increment * std::max(T(0), largest_principal_stress(point.deviator, point.pressure)) /
-           (size_effect(damage, triaxiality(point)) * damage.critical_work);
+    return increment * std::max(T(0), largest_principal_stress(point.deviator, point.pressure)) / damage.critical_work;
   case DamageLaw::none:
     break;
   }

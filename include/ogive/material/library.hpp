@@ -13,8 +13,7 @@ namespace ogive::library {
 
 /// Elastic and thermal constants of Weldox 460 E (Liu et al. 2012, Table 1) with a flow law. Damage is off; its
 /// constants are those of Dey 2004 (D1 to D3 from a transcription, D4 and D5 as commonly quoted), W_cr follows from
-/// them. The length of its bands of shear was set on shots of blunt projectiles, above all at the plate of 12 mm, see
-/// docs/beyond.md.
+/// them.
 template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string source) {
   Metal<T, Law> m;
   m.name = "weldox_460e";
@@ -24,13 +23,13 @@ template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string so
   m.eos = {PressureLaw::linear, T(1.49), T(1.93)};
   m.flow = flow;
   m.specific_heat = T(452);
+  m.thermal_conductivity = T(45); // of low-alloy steels in textbooks
   m.room_temperature = T(293);
   m.melting_temperature = T(1800);
   m.source += "; D1 to D5 of Dey 2004 (D1 to D3 transcribed, the rest quoted), W_cr from them";
   m.confidence = "high: the flow stress is that of the paper or often quoted alike; D4 and D5 medium";
   m.damage.failure_strain = {T(0.636), T(1.936), T(-2.969), T(-0.014), T(1.014), T(5e-4)};
   m.damage.critical_work = critical_work_of_tension(m);
-  m.damage.shear_length = T(0.22e-3);
   return m;
 }
 
@@ -48,8 +47,7 @@ template <class T> Metal<T, JohnsonCook<T>> weldox_460e_jc() {
 }
 
 /// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2) with a flow law. Damage is off; its
-/// constants are those of Clausen, Boervik, Hopperstad & Benallal 2004 (as commonly quoted), W_cr follows from them. No
-/// shots are known in which it fails in bands of shear, and so no length of those.
+/// constants are those of Clausen, Boervik, Hopperstad & Benallal 2004 (as commonly quoted), W_cr follows from them.
 template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string source) {
   Metal<T, Law> m;
   m.name = "aa5083_h116";
@@ -59,6 +57,7 @@ template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string so
   m.eos = {PressureLaw::linear, T(1.34), T(2.0)};
   m.flow = flow;
   m.specific_heat = T(910);
+  m.thermal_conductivity = T(117); // of the alloy 5083 in textbooks
   m.room_temperature = T(293);
   m.melting_temperature = T(893);
   m.source += "; D1 to D5 of Clausen, Boervik, Hopperstad & Benallal 2004 (quoted), W_cr from them";

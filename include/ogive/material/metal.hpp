@@ -27,6 +27,13 @@ template <class T> T bulk_modulus(const Elasticity<T> &e) { return e.young / (T(
 /// P-wave modulus lambda + 2 mu, Pa.
 template <class T> T p_wave_modulus(const Elasticity<T> &e) { return bulk_modulus(e) + T(4) / T(3) * shear_modulus(e); }
 
+/// Bands of adiabatic shear of a metal, see shear_band.hpp.
+template <class T> struct ShearBand {
+  T time = T(0);          ///< s, in which heat spreads over their width; 0: no bands
+  T onset = T(0);         ///< plastic strain in simple shear at which one forms, made by with_shear_bands()
+  T concentration = T(1); ///< of heat, made by with_shear_bands(); 1: no bands
+};
+
 /// An elastic-plastic metal: elasticity, equation of state, flow law, adiabatic heat, damage.
 template <class T, class Law>
 requires FlowLaw<Law, T>
@@ -39,18 +46,22 @@ struct Metal {
   EquationOfState<T> eos{};       ///< pressure
   Law flow{};                     ///< flow stress
   T specific_heat{};              ///< J/(kg K); 0: isothermal
+  T thermal_conductivity{};       ///< W/(m K); 0: not known
   T taylor_quinney = T(0.9);      ///< beta, the fraction of plastic work that heats
   T room_temperature = T(293);    ///< Tr, K, also the initial temperature
   T melting_temperature = T(1e4); ///< Tm, K
   T rate_floor = T(1);            ///< smallest plastic strain rate given to the flow law, 1/s
   Damage<T> damage{};             ///< off unless set
+  ShearBand<T> shear_band{};      ///< off unless set
 };
 
 /// The metal with a law of a more general type: Metal<T, AnyFlowLaw<T>> of one of its laws.
 template <class To, class T, class Law> Metal<T, To> with_law(const Metal<T, Law> &m) {
-  return {m.name,     m.source,        m.confidence,     m.density,          m.elasticity,          m.eos,
-          To(m.flow), m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,
-          m.damage};
+  return {m.name,           m.source,           m.confidence,
+          m.density,        m.elasticity,       m.eos,
+          To(m.flow),       m.specific_heat,    m.thermal_conductivity,
+          m.taylor_quinney, m.room_temperature, m.melting_temperature,
+          m.rate_floor,     m.damage,           m.shear_band};
 }
 
 /// Longitudinal sound speed, m/s.
@@ -111,6 +122,8 @@ template <class T, class Law> void check(const Metal<T, Law> &m) {
           m.elasticity.poisson, "must lie between -0.999 and 0.499");
   require(m.specific_heat >= T(0) && std::isfinite(m.specific_heat), m.name + " specific heat (J/kgK)", m.specific_heat,
           "must not be negative");
+  require(m.thermal_conductivity >= T(0) && std::isfinite(m.thermal_conductivity),
+          m.name + " thermal conductivity (W/mK)", m.thermal_conductivity, "must not be negative");
   require(m.taylor_quinney >= T(0) && m.taylor_quinney <= T(1), m.name + " Taylor-Quinney coefficient",
           m.taylor_quinney, "must lie between 0 and 1");
   positive(m.rate_floor, "rate floor (1/s)");

@@ -20,6 +20,7 @@ template <class T> struct MaterialPoint {
   T temperature{};         ///< K
   T damage{};              ///< 0 (sound) upwards, failure strain used up at 1
   T internal_energy{};     ///< work of the stress, J/kg
+  T shear_strain{};        ///< part of the plastic strain that was simple shear; 0 where no bands of shear form
 };
 
 /// Cauchy stress of a point, Pa, positive in tension.
@@ -32,6 +33,8 @@ template <class T> struct MaterialPoints {
   std::vector<T> pressure, density;       ///< Pa; kg/m3
   std::vector<T> plastic_strain, plastic_strain_rate;  ///< equivalent; of the last step, 1/s
   std::vector<T> temperature, damage, internal_energy; ///< K; 1 is failure; J/kg
+
+  std::vector<T> shear_strain; ///< part of the plastic strain that was simple shear; empty: no bands of shear form
 
   /// Pa, mean over the neighbours, made anew in each step; empty: damage follows each point's own pressure.
   std::vector<T> neighbour_pressure;
@@ -55,6 +58,7 @@ template <class P, class F> void for_each_point_field(P &&points, F &&f) {
   f("temperature", "K", points.temperature);
   f("damage", "1", points.damage);
   f("internal_energy", "J/kg", points.internal_energy);
+  if (!points.shear_strain.empty()) f("shear_strain", "1", points.shear_strain);
 }
 
 /// Calls `f(name, unit, values)` for each other field of the material state: what a point keeps from the step in which
@@ -84,8 +88,15 @@ template <class T> void fill(MaterialPoints<T> &points, Index n, const MaterialP
 
 /// Copy of point i.
 template <class T> MaterialPoint<T> load(const MaterialPoints<T> &p, Index i) {
-  return {p.deviator[i],    p.pressure[i], p.density[i],        p.plastic_strain[i], p.plastic_strain_rate[i],
-          p.temperature[i], p.damage[i],   p.internal_energy[i]};
+  return {p.deviator[i],
+          p.pressure[i],
+          p.density[i],
+          p.plastic_strain[i],
+          p.plastic_strain_rate[i],
+          p.temperature[i],
+          p.damage[i],
+          p.internal_energy[i],
+          p.shear_strain.empty() ? T(0) : p.shear_strain[i]};
 }
 
 /// The points `index_of(lane)` as one.
@@ -104,7 +115,8 @@ template <class T, class F> MaterialPoint<Pack<T>> load_points(const MaterialPoi
           of(p.plastic_strain_rate),
           of(p.temperature),
           of(p.damage),
-          of(p.internal_energy)};
+          of(p.internal_energy),
+          p.shear_strain.empty() ? Pack<T>(T(0)) : of(p.shear_strain)};
 }
 
 /// One lane of a symmetric tensor of packs.
@@ -115,7 +127,8 @@ template <class T> Sym3<T> lane_of(const Sym3<Pack<T>> &s, Index lane) {
 /// One lane of several points.
 template <class T> MaterialPoint<T> lane_of(const MaterialPoint<Pack<T>> &m, Index lane) {
   return {lane_of(m.deviator, lane),   m.pressure[lane],    m.density[lane], m.plastic_strain[lane],
-          m.plastic_strain_rate[lane], m.temperature[lane], m.damage[lane],  m.internal_energy[lane]};
+          m.plastic_strain_rate[lane], m.temperature[lane], m.damage[lane],  m.internal_energy[lane],
+          m.shear_strain[lane]};
 }
 
 /// Writes point i.
@@ -128,6 +141,7 @@ template <class T> void store(MaterialPoints<T> &p, Index i, const MaterialPoint
   p.temperature[i] = s.temperature;
   p.damage[i] = s.damage;
   p.internal_energy[i] = s.internal_energy;
+  if (!p.shear_strain.empty()) p.shear_strain[i] = s.shear_strain;
 }
 
 } // namespace ogive

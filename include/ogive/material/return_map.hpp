@@ -17,13 +17,15 @@ template <class N> struct PlasticStep {
 
 /// Radial return (Wilkins 1964): finds the increment of plastic strain with
 /// q_trial - 3 G increment = flow_stress(strain + increment, increment/dt, T + beta sigma increment/(rho cp)),
-/// rate and temperature implicit, by Newton steps kept inside a bracket. `q_trial` in Pa, `dt` in s. `N` is T or a pack
-/// of T: then the iteration continues until all lanes have converged.
+/// rate and temperature implicit, by Newton steps kept inside a bracket. `q_trial` in Pa, `dt` in s; `concentration` of
+/// the heat multiplies beta. `N` is T or a pack of T: then the iteration continues until all lanes have converged.
 template <class T, class Law, class N>
-PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> &point, N q_trial, T dt) {
+PlasticStep<N> radial_return(const Metal<T, Law> &metal, const MaterialPoint<N> &point, N q_trial, T dt,
+                             N concentration = N(1)) {
   using std::abs, std::max, std::min;
   const T three_g = T(3) * shear_modulus(metal.elasticity), inverse_dt = T(1) / dt;
-  const T heating = metal.specific_heat > T(0) ? metal.taylor_quinney / (metal.density * metal.specific_heat) : T(0);
+  const N heating = concentration *
+                    (metal.specific_heat > T(0) ? metal.taylor_quinney / (metal.density * metal.specific_heat) : T(0));
   const N floor = metal.rate_floor;
 
   const N sound = T(1) - metal.damage.softening * min(point.damage, N(1));

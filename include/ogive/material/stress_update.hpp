@@ -3,6 +3,7 @@
 
 #include "ogive/core/parallel.hpp"
 #include "ogive/material/return_map.hpp"
+#include "ogive/material/shear_band.hpp"
 
 #include <array>
 #include <limits>
@@ -47,6 +48,7 @@ template <class T> Sym3<T> rotated(const Sym3<T> &s, const Mat3<T> &Q) {
 template <class N> struct ElasticTrial {
   MaterialPoint<N> point;   ///< density and deviator of the end of the step
   Sym3<N> deformation_rate; ///< D, 1/s, at the middle of the step
+  Vec3<N> vorticity;        ///< curl of the velocity, 1/s, there
   N equivalent_stress;      ///< von Mises, Pa
 };
 
@@ -54,7 +56,8 @@ template <class N> struct ElasticTrial {
 template <class T, class Law, class N>
 ElasticTrial<N> elastic_trial(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const Mat3<N> &L, T dt) {
   const Mat3<N> mid = midstep_gradient<N>(L, dt);
-  ElasticTrial<N> trial{old, symmetric_part(mid), {}};
+  ElasticTrial<N> trial{
+      old, symmetric_part(mid), Vec3<N>(mid(2, 1) - mid(1, 2), mid(0, 2) - mid(2, 0), mid(1, 0) - mid(0, 1)), {}};
   const N growth = T(0.5) * dt * trace(trial.deformation_rate);
   trial.point.density = old.density * ((T(1) - growth) / (T(1) + growth));
   trial.point.deviator = rotated(old.deviator, spin_rotation<N>(mid, dt));
@@ -96,18 +99,24 @@ template <class N> struct Advanced {
   N yield{};              ///< flow stress at the smallest rate, Pa, of a point that did not flow; else -1
 };
 
-/// Takes the trial stress back to the flow stress and heats the point (Liu et al. 2012, Eqs. 1-2).
+/// Takes the trial stress back to the flow stress and heats the point (Liu et al. 2012, Eqs. 1-2), or the band of shear
+/// in it.
 template <class T, class Law, class N>
 Advanced<N> flowed(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const ElasticTrial<N> &trial, T dt) {
-  const PlasticStep<N> plastic = radial_return(metal, old, trial.equivalent_stress, dt);
+  const bool bands = has_bands(metal.shear_band);
+  const N sheared = bands ? simple_shear(trial.deformation_rate, trial.vorticity) : N(0);
+  const N concentration = T(1) + select(old.shear_strain >= N(metal.shear_band.onset),
+                                        N(sheared * (metal.shear_band.concentration - T(1))), N(0));
+  const PlasticStep<N> plastic = radial_return(metal, old, trial.equivalent_stress, dt, concentration);
   const auto flows = plastic.increment > N(0);
   MaterialPoint<N> now = trial.point;
   now.deviator *= select(flows, plastic.flow_stress / trial.equivalent_stress, N(1));
   now.plastic_strain += plastic.increment;
+  now.shear_strain += sheared * plastic.increment;
   now.plastic_strain_rate = plastic.increment * (T(1) / dt);
   if (metal.specific_heat > T(0))
-    now.temperature +=
-        metal.taylor_quinney / (metal.density * metal.specific_heat) * (plastic.flow_stress * plastic.increment);
+    now.temperature += concentration * (metal.taylor_quinney / (metal.density * metal.specific_heat)) *
+                       (plastic.flow_stress * plastic.increment);
   return {now, select(flows, N(-1), plastic.flow_stress)};
 }
 

@@ -20,12 +20,12 @@ using AnyDiscretisation = Discretisation<AnyKernel, AnyForm, AnyRule>;
 
 /// Numerical choices of a perforation model; the defaults are the same for all cases.
 template <class T> struct PerforationOptions {
-  SphOptions<T> sph{};              ///< of the plate's particles
-  HexOptions<T> hex{};              ///< of the projectile and of hexes around particles
-  T rim_size_ratio = T(2.5);        ///< hex size at the disc's edge over the particle distance
-  T contact_stiffness = T(0.1);     ///< penalty over m/dt^2
-  T contact_courant = T(0.4);       ///< of the time step dt that the contact's stiffness is made for
-  T largest_added_mass = T(0.01);   ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
+  SphOptions<T> sph{};            ///< of the plate's particles
+  HexOptions<T> hex{};            ///< of the projectile and of hexes around particles
+  T rim_size_ratio = T(2.5);      ///< hex size at the disc's edge over the particle distance
+  T contact_stiffness = T(0.1);   ///< penalty over m/dt^2
+  T contact_courant = T(0.4);     ///< of the time step dt that the contact's stiffness is made for
+  T largest_added_mass = T(0.01); ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
 };
 
 /// How the plate's particles hold together.
@@ -36,12 +36,11 @@ enum class Method {
 
 /// All that a method chooses, the same for all metals, plates and projectiles.
 template <class T> struct MethodChoices {
-  Lattice lattice{};               ///< of the plate's particles
-  DamageLaw damage{};              ///< how damage grows
-  FailureEffect failure{};         ///< what a particle does at D = 1
-  T softening{};                   ///< Dc, part of the flow stress that D = 1 takes away
-  bool has_length = false;         ///< failure strains follow the particle distance by the metal's shear_length
-  LengthScope length_scope{};      ///< where they do
+  Lattice lattice{};                ///< of the plate's particles
+  DamageLaw damage{};               ///< how damage grows
+  FailureEffect failure{};          ///< what a particle does at D = 1
+  T softening{};                    ///< Dc, part of the flow stress that D = 1 takes away
+  T band_time{};                    ///< of bands of adiabatic shear in the plate, see ShearBand, s
   PerforationOptions<T> numerics{}; ///< of particles, hexes and contact
 };
 
@@ -56,18 +55,19 @@ template <class T> MethodChoices<T> choices_of(Method method) {
   c.lattice = Lattice::ring;
   c.damage = DamageLaw::johnson_cook, c.failure = FailureEffect::no_tension;
   c.softening = T(0.3);
-  c.has_length = true, c.length_scope = LengthScope::in_shear;
+  c.band_time = T(50e-6);
   c.numerics.sph.control.stiffness = T(0.3);
   c.numerics.sph.damage_pressure = DamagePressure::neighbours;
   return c;
 }
 
-/// The metal of a plate with the damage that a method asks for; the constants of the failure strain are its own.
+/// The metal of a plate with the damage and the bands of shear that a method asks for; the constants of the failure
+/// strain are its own.
 template <class T, class Law> Metal<T, Law> with_damage_of(Method method, Metal<T, Law> metal) {
   const MethodChoices<T> c = choices_of<T>(method);
   Damage<T> &damage = metal.damage;
   damage.law = c.damage, damage.effect = c.failure, damage.softening = c.softening;
-  damage.length = c.has_length ? damage.shear_length : T(0), damage.length_scope = c.length_scope;
+  metal.shear_band.time = c.band_time;
   return metal;
 }
 

@@ -54,7 +54,7 @@ private:
 template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, Law> &m) {
   for (const T number : {m.density, m.elasticity.young, m.elasticity.poisson, m.eos.hugoniot_slope, m.eos.gruneisen,
                          m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,
-                         m.damage.critical_work, m.damage.softening, m.damage.shear_factor})
+                         m.damage.critical_work, m.damage.softening, m.shear_band.concentration})
     print.add(number);
   const FailureStrain<T> &f = m.damage.failure_strain;
   for (const T number : {f.D1, f.D2, f.D3, f.D4, f.D5, f.reference_rate}) print.add(number);
@@ -78,8 +78,8 @@ template <class T, class Law, class Rule> void add_body(Fingerprint &print, cons
   add_name_and_metal(print, body);
   print.add(body.hexes), print.add(body.points.size());
   const HexOptions<T> &o = body.options;
-  for (const T number : {o.hourglass_stiffness, o.hourglass_viscosity,
-                         o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
+  for (const T number :
+       {o.hourglass_stiffness, o.hourglass_viscosity, o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
     print.add(number);
 }
 

@@ -6,7 +6,7 @@
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
 #include "ogive/core/types.hpp"
-#include "ogive/material/metal.hpp"
+#include "ogive/material/shear_band.hpp"
 #include "ogive/search/build_neighbours.hpp"
 #include "ogive/sph/bonds.hpp"
 #include "ogive/sph/kernel.hpp"
@@ -104,20 +104,20 @@ struct SphBody {
   using Kernel = Kernel_;
   /// RenormalisedForm, StandardForm or AnyForm.
   using Form = Form_;
-  std::string name;                 ///< for messages and files
-  Metal<T, Law> metal;              ///< the same in all particles
-  Kernel kernel{};                  ///< the same for all particles
-  Form form{};                      ///< of gradients and forces
-  SphOptions<T> options{};          ///< numerical parameters
-  SymmetryPlanes symmetry{};        ///< mirror planes
-  T spacing{};                      ///< particle distance, m
-  NodeRange nodes{};                ///< one for each particle
-  MaterialPoints<T> points;         ///< state of the metal
-  std::vector<T> point_mass;        ///< kg, constant
-  std::vector<T> viscous_energy;    ///< J, work of artificial viscosity: each particle's half of its pairs
-  Neighbours<T> neighbours;         ///< lists, made anew when particles have moved
-  PairData pair_data;               ///< what neighbours see, made anew in each step
-  Bonds<T> bonds;                   ///< against zero-energy modes; none unless the options ask for them
+  std::string name;              ///< for messages and files
+  Metal<T, Law> metal;           ///< the same in all particles
+  Kernel kernel{};               ///< the same for all particles
+  Form form{};                   ///< of gradients and forces
+  SphOptions<T> options{};       ///< numerical parameters
+  SymmetryPlanes symmetry{};     ///< mirror planes
+  T spacing{};                   ///< particle distance, m
+  NodeRange nodes{};             ///< one for each particle
+  MaterialPoints<T> points;      ///< state of the metal
+  std::vector<T> point_mass;     ///< kg, constant
+  std::vector<T> viscous_energy; ///< J, work of artificial viscosity: each particle's half of its pairs
+  Neighbours<T> neighbours;      ///< lists, made anew when particles have moved
+  PairData pair_data;            ///< what neighbours see, made anew in each step
+  Bonds<T> bonds;                ///< against zero-energy modes; none unless the options ask for them
 };
 
 /// Whether a type is an SphBody.
@@ -149,8 +149,7 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
           "there must be one for each particle");
   SphBody<T, Law, Kernel, Form> body;
   body.name = std::move(name);
-  body.metal = metal;
-  body.metal.damage = regularised(metal.damage, layout.spacing);
+  body.metal = with_shear_bands(metal, layout.spacing);
   body.kernel = kernel;
   body.form = form;
   body.options = options;
@@ -165,6 +164,7 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
   fill(body.points, body.nodes.size(), initial_point(metal));
   if (options.damage_pressure == DamagePressure::neighbours)
     body.points.neighbour_pressure.assign(body.nodes.size(), T(0));
+  if (has_bands(body.metal.shear_band)) body.points.shear_strain.assign(body.nodes.size(), T(0));
   body.viscous_energy.assign(body.nodes.size(), T(0));
   if (const ZeroEnergyControl<T> &control = options.control; control.stiffness > T(0))
     body.bonds = make_bonds<T>(layout.positions, symmetry, control.reach * layout.spacing);
