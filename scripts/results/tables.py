@@ -5,8 +5,7 @@ from functools import partial
 from typing import Callable, NamedTuple
 
 from . import sweeps as runs
-from .data import (KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, half_width_mps, markdown_table, of_plate, plate_of,
-                   read_json, read_limits, read_shots, read_table, short)
+from .data import KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, markdown_table, metal_of, read_json, read_table
 from .insert import insert
 from .sweeps import Sweep
 
@@ -32,7 +31,7 @@ INITIAL = Column("initial, m/s", "initial_velocity_mps", ".1f")
 TEST = Column("test, m/s", "test_residual_velocity_mps", ".1f")
 RESIDUAL = Column("computed, m/s", "residual_velocity_mps", ".1f")
 PLUG = Column("plug, g", "plug_mass_g", ".1f")
-ENERGY, FINE_ENERGY = (Column("energy error, %", "energy_error", digits, 100) for digits in (".3f", ".4f"))
+ENERGY = Column("energy error, %", "energy_error", ".3f", 100)
 INTRUSION = Column("intrusion, mm", "largest_intrusion_mm", ".3f")
 DISHING = Column("dishing at the end, mm", "dishing_mm", ".2f")
 BONDS = Column("bonds, % of energy", "hourglass_fraction", ".2f", 100)
@@ -41,6 +40,7 @@ SHOTS = (INITIAL, TEST, RESIDUAL, PLUG, ENERGY, INTRUSION, Column("momentum erro
          Column("steps", "steps", ".0f"))
 STABILISED = (INITIAL, TEST, RESIDUAL, PLUG, Column("failed particles", "failed_particles", ".0f"), DISHING, BONDS, ENERGY,
               COST)
+CONES = (TEST, Column("at the shoulder, m/s", "velocity_at_shoulder_mps", ".1f"), RESIDUAL, ENERGY)
 DISHINGS = (Column("size, mm", "case_spacing_mm", ""), RESIDUAL, DISHING, Column("at rest, mm", "dishing_at_rest_mm", ".2f"))
 
 
@@ -60,19 +60,23 @@ def percent(value, reference):
     return f"{100 * (value / reference - 1):+.1f} %" if value and reference else "–"
 
 
+def first_limits(sweep):
+    """The limits of a sweep with the undisturbed arrangement of the particles, m/s, by the name of the case."""
+    return {case["name"]: float(row["bisection_limit_mps"]) for case, row in runs.limit_rows(sweep) if row["seed"] == "0"}
+
+
 def sizes(sweeps):
-    """Limits of the stabilised method with other particle distances beside those of the page, which has 0.6 mm."""
-    found, rows = {size: runs.limits(sweep) for size, sweep in zip((1.2, 0.8, 0.45), sweeps)}, []
+    """Limits with several particle distances, the last of which others are compared with."""
+    *others, reference = (first_limits(sweep) for sweep in sweeps)
+    sizes_mm = [sweep.text for sweep in sweeps]
+    rows = []
     for case in runs.cases(sweeps[0]):
-        thickness = float(case["thickness_mm"])
-        page = of_plate(read_limits(PAGE / "data"), *STEEL, thickness, "mjc", "stabilised")
-        limits = {size: found[size].get(case["name"]) for size in found} | {0.6: page[0]["bisection_limit_mps"]}
-        rows.append([f"{thickness:g} mm", f"{Tests().limit_mps(*STEEL, thickness):.1f}",
-                     *(f"{limits[size]:.1f}" if limits[size] else "–" for size in (1.2, 0.8, 0.6, 0.45)),
-                     *(percent(limits[size], limits[0.6]) for size in (0.8, 0.45))])
-    return any(found.values()) and markdown_table(
-        ["plate", "test, m/s", "particles of 1.2 mm", "0.8 mm", "0.6 mm", "0.45 mm", "0.8 mm against 0.6 mm",
-         "0.45 mm against 0.6 mm"], rows)
+        limit = [found.get(case["name"]) for found in (*others, reference)]
+        rows.append([f"{case['thickness_mm']} mm", f"{Tests().limit_mps(*STEEL, float(case['thickness_mm'])):.1f}",
+                     *(f"{value:.1f}" if value else "–" for value in limit),
+                     *(percent(value, limit[-1]) for value in limit[:-1])])
+    return any(others) and markdown_table(
+        ["plate", "test, m/s", *sizes_mm, *(f"{size} against {sizes_mm[-1]}" for size in sizes_mm[:-1])], rows)
 
 
 def paper_limits(sweeps):
@@ -122,10 +126,15 @@ def repeats(sweeps):
          "90 % interval of the mean, m/s", "mean against the test"], rows)
 
 
+def open_tests():
+    """Limits of tests with other projectiles and metals than the paper's, m/s, by the text of their cases."""
+    return {f"{test['projectile']} at {test['thickness_mm']} mm {test['target']}": float(test["V50_mps"])
+            for test in runs.texts(ROOT / "apps" / "data" / "v50_open.csv")}
+
+
 def open_limits(sweeps):
     """Limits beside tests with other projectiles and metals than the paper's."""
-    tests = {f"{test['projectile']} at {test['thickness_mm']} mm {test['target']}": float(test["V50_mps"])
-             for test in runs.texts(ROOT / "apps" / "data" / "v50_open.csv")}
+    tests = open_tests()
     return markdown_table(["projectile and plate", "particle distance, mm", "test, m/s", "computed, m/s", "error"], [
         [case["text"], case["spacing_mm"], f"{tests[case['text']]:.0f}", row["bisection_limit_mps"],
          percent(float(row["bisection_limit_mps"]), tests[case["text"]])] for case, row in runs.limit_rows(sweeps[0])])
@@ -156,51 +165,25 @@ def cost(_):
         for nose, plate, count, paper, other in rows])
 
 
-def limit_and_error(row, test):
-    """Cells of a row of limits; a wide bracket is given as a range."""
-    if row and (half_width_mps(row) or 0) > 2.5:
-        return [f"{short(row['highest_stopped_mps'])} to {short(row['lowest_perforated_mps'])}", "–"]
-    limit = row and row["bisection_limit_mps"]
-    return [f"{limit:.1f}" if limit else "–", percent(limit, test)]
+def sharp_limits(sweeps):
+    """Limits of sharp noses beside the tests."""
+    return markdown_table(["nose and plate", "test, m/s", "computed, m/s", "error"], [
+        [case["text"], f"{test:.1f}", row["bisection_limit_mps"], percent(float(row["bisection_limit_mps"]), test)]
+        for case, row in runs.limit_rows(sweeps[0])
+        for test in [Tests().limit_mps(metal_of(row["material"]), row["nose"], float(row["thickness_mm"]))]])
 
 
-def plates_of_page():
-    """Limits of the modified law by plate, then by method, where `stabilised` has one."""
-    plates = {}
-    for row in read_limits(PAGE / "data"):
-        if row["model"] == "mjc":
-            plates.setdefault(row.key(("material", "nose", "thickness_mm", "test_limit_mps")), {})[row["method"]] = row
-    return {plate: found for plate, found in plates.items() if "stabilised" in found}
-
-
-def limits(_):
-    """All limits of the page by plate, with the methods beside each other."""
-    return markdown_table(
-        ["nose", "plate", "test, m/s", "paper, m/s", "error", "stabilised, m/s", "error"],
-        [[nose, f"{thickness:g} mm {material}", f"{test:.1f}",
-          *(cell for method in ("paper", "stabilised") for cell in limit_and_error(found.get(method), test))]
-         for (material, nose, thickness, test), found in plates_of_page().items()])
-
-
-def accuracy(_):
-    """The same for the default method alone, steel first, by the names of the metals."""
-    found = [(plate_of(methods["stabilised"]), plate[-1], methods["stabilised"])
-             for plate, methods in plates_of_page().items()]
-    rows = []
-    for (metal, nose, thickness), test, row in sorted(found, key=lambda plate: (plate[0][0] != STEEL[0], *plate[0][1:])):
-        limit, error = limit_and_error(row, test)
-        rows.append([f"{thickness:g} mm {metal}", nose, row["method"], limit, f"{test:.1f}", error])
-    return markdown_table(["plate", "nose", "method", "limit, m/s", "test, m/s", "error"], rows)
-
-
-def residuals(_):
-    """Of the stabilised particles at 12 mm, on the page, at the velocities of measured shots."""
-    tests = {test["initial_velocity_mps"]: test["residual_velocity_mps"] for test in Tests().shots_of(*STEEL, 12)}
-    columns = (INITIAL, TEST, RESIDUAL, PLUG, DISHING, BONDS, FINE_ENERGY)
-    found = of_plate(read_shots(PAGE / "data"), *STEEL, 12, "mjc", "stabilised")
-    return markdown_table([column.title for column in columns], [
-        [column.cell({**row, "test_residual_velocity_mps": tests[row["initial_velocity_mps"]]}) for column in columns]
-        for row in found if row["initial_velocity_mps"] in tests])
+def accuracy(sweeps):
+    """All limits of the default method beside tests: those of blunt noses on steel, of sharp noses, and open ones."""
+    blunt, sharp, others = sweeps
+    rows = [[f"blunt, {case['thickness_mm']} mm Weldox 460 E", row, Tests().limit_mps(*STEEL, float(case["thickness_mm"]))]
+            for case, row in runs.limit_rows(blunt) if row["seed"] == "0"]
+    rows += [[case["text"], row, Tests().limit_mps(metal_of(row["material"]), row["nose"], float(row["thickness_mm"]))]
+             for case, row in runs.limit_rows(sharp)]
+    rows += [[case["text"], row, open_tests()[case["text"]]] for case, row in runs.limit_rows(others)]
+    return rows and markdown_table(["projectile and plate", "particle distance, mm", "limit, m/s", "test, m/s", "error"], [
+        [text, row["spacing_mm"], row["bisection_limit_mps"], f"{test:.1f}",
+         percent(float(row["bisection_limit_mps"]), test)] for text, row, test in rows])
 
 
 class Table(NamedTuple):
@@ -212,6 +195,9 @@ class Table(NamedTuple):
 # The method and the arrangement of the particles of the two pages about the paper's choices.
 ON_RINGS = "--method paper --lattice ring"
 LIMITS = "--limit --model mjc --spacing-mm 0.6"
+REPEATS = Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1")
+SHARP = Sweep("sharp", "sharp", "--limit --model mjc --spacing-mm 1 --method stabilised")
+OPEN = Sweep("open", "open", "--limit --method stabilised")
 
 # Name: page, from docs/; tables.
 TABLES = {
@@ -232,24 +218,24 @@ TABLES = {
         Table("The same with the standard form and a smoothing length that follows the density:", paper_limits,
               (Sweep("limits_paper_standard", "limits_three",
                      f"{LIMITS} --method paper --form standard --smoothing variable"),))]),
-    "limits": ("beyond", [
-        Table("Limits by bisection on the page of results, modified law, 0.6 mm; brackets wider than 5 m/s are given as "
-              "ranges:", limits),
+    "measured": ("beyond", [
         Table("Method `stabilised`, 12 mm Weldox 460 E, blunt, modified law, 0.6 mm, at the velocities of measured shots:",
-              residuals)]),
+              partial(shots, STABILISED), (Sweep("measured", "measured", "--method stabilised --model mjc --spacing-mm 0.6"),))]),
     "repeats": ("beyond", [
         Table("Method `stabilised`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection to 2.5 m/s with three "
               "arrangements of the particles (`--seed`):", repeats,
-              (Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1"),))]),
+              (REPEATS,))]),
+    "sharp": ("beyond", [
+        Table("Method `stabilised`, sharp noses, modified law, particles 1 mm apart: limits by bisection to 2.5 m/s:",
+              sharp_limits, (SHARP,))]),
     "open": ("beyond", [
         Table("Method `stabilised`, other projectiles and metals: limits by bisection to 2.5 m/s beside the tests "
               "([v50_open.csv](../apps/data/v50_open.csv)):", open_limits,
-              (Sweep("open", "open", "--limit --method stabilised"),))]),
+              (OPEN,))]),
     "sizes_stabilised": ("beyond", [
-        Table("Method `stabilised`, other particle distances: limits by bisection to 2.5 m/s. Those with 0.6 mm are on the page "
-              "of results.", sizes, tuple(
-                  Sweep(f"limits_stabilised_{size}mm", "limits", f"--limit --method stabilised --model mjc --spacing-mm {size}")
-                  for size in (1.2, 0.8, 0.45)))]),
+        Table("Method `stabilised`, several particle distances: limits by bisection to 2.5 m/s.", sizes, (
+            *(Sweep(f"limits_stabilised_{size}mm", "limits", f"--limit --method stabilised --model mjc --spacing-mm {size}",
+                    f"{size} mm") for size in (0.8, 0.45)), REPEATS._replace(text="0.6 mm")))]),
     "scale": ("beyond", [
         Table("Method `stabilised`, blunt nose, Weldox 460 E, modified law, all lengths times 0.5, 1 and 2: limits by bisection "
               "to 2.5 m/s:", scale, (Sweep("scale", "scale", "--limit --method stabilised --model mjc"),))]),
@@ -265,7 +251,11 @@ TABLES = {
     "cost": ("beyond", [
         Table("Processor time of the same shots on the page of results, modified law, each with the version and on the machine "
               "of its row in the run record:", cost)]),
-    "accuracy": ("../README", [Table("Ballistic limits, modified law, particles 0.6 mm apart:", accuracy)]),
+    "cone": ("beyond", [
+        Table("Method `stabilised`, conical nose, 12 mm Weldox 460 E, 355.6 m/s, particles 1 mm apart, one change at a time:",
+              partial(shots, CONES), (Sweep("cone", "cone", "--method stabilised --model mjc --nose conical --spacing-mm 1 "
+                                            "--velocity-mps 355.6"),))]),
+    "accuracy": ("../README", [Table("Ballistic limits, method `stabilised`:", accuracy, (REPEATS, SHARP, OPEN))]),
 }
 
 

@@ -435,9 +435,11 @@ class Tables(unittest.TestCase):
         self.assertEqual(ratios, {(20, 20 / 0.6, 1, 40, 250 / 0.6)})
 
     def test_limits_with_other_particles(self):
-        self.leave_limits("limits_stabilised_0.45mm", "thickness_mm,bisection_limit_mps", "6,136")
-        self.assertRegex(self.table("sizes_stabilised")[6],
-                         r"^\| 6 mm \| 145.5 \| – \| – \| [0-9.]+ \| 136.0 \| – \| [-+0-9.]+ % \|$")
+        head = "thickness_mm,seed,bisection_limit_mps"
+        self.leave_limits("limits_stabilised_0.45mm", head, "6,0,136")
+        self.leave_limits("repeats", head, "6,0,140.5", "6,1,139", "8,0,157")
+        self.assertEqual(self.table("sizes_stabilised")[6:8], [
+            "| 6 mm | 145.5 | – | 136.0 | 140.5 | – | -3.2 % |", "| 8 mm | 154.3 | – | – | 157.0 | – | – |"])
 
     def test_cost(self):
         record = self.folder / "run_record.csv"
@@ -449,21 +451,18 @@ class Tables(unittest.TestCase):
                 "| blunt | 6 mm weldox_460e | 1 | 10 | 25 | 2.50 |", "| blunt | 12 mm weldox_460e | 1 | 20 | 20 | 1.00 |",
                 "| all |  | 2 | 30 | 45 | 1.50 |"])
 
-    def test_accuracy_of_the_default_method_by_plate(self):
-        data = self.folder / "data"
-        data.mkdir()
-        head = (tables.PAGE / "data" / "limits.csv").read_text().splitlines()[0]
-        (data / "limits.csv").write_text(head + "\n" + "".join(
-            f"{method},mjc,{material},{nose},{thickness},0.6,{limit - 2},{limit + 2},{limit},1,,,,,,,,,,,{test},\n"
-            for method, material, nose, thickness, limit, test in (
-                ("stabilised", "aa5083_h116", "conical", 15, 211.5, 216.8), ("paper", "weldox_460e", "blunt", 12, 172.5, 184.5),
-                ("stabilised", "weldox_460e", "blunt", 12, 192.5, 184.5), ("stabilised", "weldox_460e", "blunt", 6, 140.5, 145.5),
-                ("paper", "weldox_460e", "blunt", 8, 128.5, 154.3))))
-        with mock.patch.object(tables, "PAGE", self.folder), mock.patch.object(tables, "versions", return_value=""):
-            self.assertEqual(self.table("accuracy")[-3:], [
-                "| 6 mm Weldox 460 E | blunt | stabilised | 140.5 | 145.5 | -3.4 % |",
-                "| 12 mm Weldox 460 E | blunt | stabilised | 192.5 | 184.5 | +4.3 % |",
-                "| 15 mm AA5083-H116 | conical | stabilised | 211.5 | 216.8 | -2.4 % |"])
+    def test_accuracy_of_the_default_method(self):
+        self.leave_limits("repeats", "thickness_mm,seed,spacing_mm,bisection_limit_mps", "6,0,0.6,140.5", "6,1,0.6,139")
+        self.leave_limits("sharp", "material,nose,thickness_mm,spacing_mm,bisection_limit_mps",
+                          "aa5083_h116,conical,15,1,211.5")
+        self.leave_limits("open", "material,projectile,thickness_mm,sph_radius_mm,clamp_radius_mm,spacing_mm,bisection_limit_mps",
+                          "/a/b/aa6061_t651.toml,fsp_20mm,12.7,24,150,1,204.9")
+        self.assertEqual(self.table("accuracy")[-3:], [
+            "| blunt, 6 mm Weldox 460 E | 0.6 | 140.5 | 145.5 | -3.4 % |",
+            "| conical, 15 mm AA5083-H116 | 1 | 211.5 | 216.8 | -2.4 % |",
+            "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 204.9 | 218.0 | -6.0 % |"])
+        self.assertEqual(self.table("open")[-1], "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 218 | 204.9 | -6.0 % |")
+        self.assertEqual(self.table("sharp")[-1], "| conical, 15 mm AA5083-H116 | 216.8 | 211.5 | -2.4 % |")
 
     def test_no_shot_is_an_error(self):
         done = run("tables", "no_such_table")
