@@ -99,10 +99,10 @@ def summary(sweep, name):
 
 def limit_rows(sweep):
     """(case, row of limits.csv) of the limits that have been found. The rows of limits have no names but values of all
-    options: that of a case has its values, and in columns that it leaves empty none that others of the list give. With
-    --vary a case has several."""
+    options except the velocity: that of a case has its values, and in columns that it leaves empty none that others of the
+    list give. With --vary a case has several."""
     file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
-    columns = [column for column in listed[0] if column not in ("name", "text")]
+    columns = [column for column in listed[0] if column not in ("name", "text", "velocity_mps")]
     for case in listed:
         case.update({column: Path(case[column]).name for column in PATHS & case.keys()})
     given = {column: {case[column] for case in listed} - {""} for column in columns}
