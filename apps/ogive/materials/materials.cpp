@@ -8,7 +8,10 @@
 #include "options/exit_status.hpp"
 
 #include "ogive/io/atomic_file.hpp"
+#include "ogive/material/shear_band.hpp"
+#include "ogive/perforation/method.hpp"
 
+#include <cmath>
 #include <iostream>
 
 namespace commands {
@@ -28,11 +31,27 @@ AnyMetal metal_named(const std::string &name, library::Model model) {
   return library::find_metal(name, model, "show");
 }
 
+/// What follows from the constants of a metal for bands of adiabatic shear, method stabilised.
+std::string band_text(const AnyMetal &any) {
+  return std::visit(
+      [](auto metal) -> std::string {
+        const double strain = ogive::instability_strain(metal, 1e4);
+        if (!std::isfinite(strain)) return "Bands of adiabatic shear: none, hardening outweighs heat at any strain";
+        metal.shear_band.time = ogive::choices_of<double>(ogive::Method::stabilised).band_time;
+        const double width_mm = 1e3 * ogive::band_width(metal);
+        return "Bands of adiabatic shear: strain of instability " + options::shortest(std::round(1e3 * strain) / 1e3) +
+               (width_mm > 0 ? ", " + options::shortest(std::round(1e4 * width_mm) / 1e4) + " mm wide"
+                             : ", no conductivity is known: none form");
+      },
+      any);
+}
+
 /// Prints a metal as a file for --material, or draws it.
 void show(const metals::Options &o, const std::string &name) {
   const AnyMetal metal = metal_named(name, o.model);
   if (o.plot.empty()) {
-    std::cout << library::to_toml(metal, name + "\nA copy with other numbers is a metal for --material.");
+    std::cout << library::to_toml(metal, name + "\n" + band_text(metal) +
+                                             "\nA copy with other numbers is a metal for --material.");
     return;
   }
   const library::LibraryMetal *entry = library::find_library_metal(name);

@@ -94,11 +94,6 @@ template <class Kernel, class Width = SimdWidth> Pack<float> rough_slope_over_u(
 /// Square of the support over the smoothing length, with room for the error of rough_slope_over_u.
 inline constexpr double support_squared = kernel_support * kernel_support * (1 + 3e-4);
 
-/// Where a pair lies within the support; from r^2 and 1/h.
-template <class T> auto is_within_support(T r_squared, T inverse_h) {
-  return r_squared * (inverse_h * inverse_h) < T(support_squared);
-}
-
 /// (dW/dr)/r in 1/m5, from r^2 and 1/h: grad_i W_ij = gradient_over_r * (x_i - x_j). Finite at r = 0.
 template <class Kernel, class T> T gradient_over_r(T r_squared, T inverse_h) {
   return gradient_norm<Kernel>(inverse_h) * slope_over_u<Kernel>(T(r_squared * (inverse_h * inverse_h)));
