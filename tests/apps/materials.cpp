@@ -6,6 +6,7 @@
 #include "io/temporary_folder.hpp"
 
 #include "ogive/material/library.hpp"
+#include "ogive/material/shear_band.hpp"
 #include "options/data_folder.hpp"
 #include "shot/run.hpp"
 
@@ -111,6 +112,39 @@ TEST_CASE("a metal without failure strains has no damage unless it is asked for,
         shot::DamageLaw::johnson_cook);
   CHECK(refusal({"--material", "aa6061_t651", "--damage", "jc"}) ==
         "--damage = jc: needs D1, D2, D3, D4, D5 in aa6061_t651");
+}
+
+TEST_CASE("bands of shear are as wide as the conductivity of each plate says") {
+  const auto widths_mm = [](std::vector<const char *> arguments) {
+    std::vector<double> all;
+    for (const auto &plate : plates_of(options_of(arguments)))
+      std::visit([&](const auto &metal) { all.push_back(1e3 * ogive::band_width(metal)); }, plate);
+    return all;
+  };
+  // 2 sqrt(k t/(rho c_p)) with k 45 and 117 W/(m K).
+  const auto both = widths_mm({"--layers-mm", "4,8", "--layer-materials", "weldox_460e,aa5083_h116"});
+  REQUIRE(both.size() == 2);
+  CHECK(both[0] == Approx(0.05036).epsilon(1e-3));
+  CHECK(both[1] == Approx(0.09759).epsilon(1e-3));
+  CHECK(widths_mm({"--band-time-us", "200"})[0] == Approx(0.10073).epsilon(1e-3));
+  CHECK(widths_mm({"--method", "paper"})[0] == 0);
+
+  const Materials m;
+  auto metal = library::weldox_460e_mjc<double>();
+  metal.thermal_conductivity = 20;
+  write(m.steel, materials::to_toml(metal, ""));
+  CHECK(widths_mm({"--material", m.steel.c_str()})[0] == Approx(0.03358).epsilon(1e-3));
+  metal.thermal_conductivity = 0;
+  write(m.steel, materials::to_toml(metal, ""));
+  const std::string doubt =
+      ": has no thermal_conductivity_W_per_mK, so that no bands of shear form and plugs are held too long";
+  const auto says_so = [&](const Options &o) {
+    const auto doubts = doubts_of(o, plates_of(o));
+    return std::any_of(doubts.begin(), doubts.end(), [&](const auto &text) { return text.ends_with(doubt); });
+  };
+  CHECK(says_so(options_of({"--material", m.steel.c_str()})));
+  CHECK_FALSE(says_so(options_of({"--material", m.steel.c_str(), "--band-time-us", "0"})));
+  CHECK_FALSE(says_so(options_of({})));
 }
 
 TEST_CASE("damage is off, and where it is on failure takes the tension") {

@@ -6,8 +6,10 @@
 #include "ogive/io/checkpoint.hpp"
 #include "ogive/perforation/shape.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <omp.h>
+#include <tuple>
 
 using namespace sim_test;
 
@@ -94,10 +96,13 @@ void compare(const std::function<Shot()> &make, const std::vector<std::int64_t> 
   CHECK(total(energy(model)) == total(energy(whole)));
 
   // The features are there: otherwise this would prove little.
+  const auto &[metal, points] = std::tie(plate_particles(whole).metal, plate_particles(whole).points);
   Index failed = 0;
-  for (Index i = 0; i < plate_particles(whole).points.size(); ++i)
-    failed += is_failed(plate_particles(whole).metal.damage, plate_particles(whole).points.damage[i]);
+  for (const double damage : points.damage) failed += is_failed(metal.damage, damage);
   CHECK(failed > 3);
+  if (has_bands(metal.shear_band))
+    CHECK(std::count_if(points.shear_strain.begin(), points.shear_strain.end(),
+                        [onset = metal.shear_band.onset](double strain) { return strain > onset; }) > 3);
   CHECK(energy(whole).friction > 0);
   CHECK(plate_particles(whole).neighbours.built_at != first_lists);
   CHECK(plate_particles(whole).neighbours.images.size() > 20);

@@ -46,6 +46,7 @@ template <class T, class Law> T band_width(const Metal<T, Law> &metal) {
 /// the particle distance over band_width(). Bands form at 0.4 of instability_strain(), because strain is never even
 /// within a particle (an assumption, see docs/beyond.md). There are none in particles finer than they are.
 template <class T, class Law> Metal<T, Law> with_shear_bands(Metal<T, Law> metal, T spacing) {
+  metal.shear_band.onset = T(0), metal.shear_band.concentration = T(1);
   const T width = band_width(metal);
   if (!(width > T(0)) || width >= spacing) return metal;
   metal.shear_band.onset = T(0.4) * instability_strain(metal, T(1e4));

@@ -56,6 +56,7 @@ template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, 
                          m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,
                          m.damage.critical_work, m.damage.softening, m.shear_band.concentration})
     print.add(number);
+  if (has_bands(m.shear_band)) print.add(m.shear_band.onset);
   const FailureStrain<T> &f = m.damage.failure_strain;
   for (const T number : {f.D1, f.D2, f.D3, f.D4, f.D5, f.reference_rate}) print.add(number);
   if (f.rate_term != FailureRateTerm::power) print.add(f.rate_term);
