@@ -137,7 +137,8 @@ def open_limits(sweeps):
     tests = open_tests()
     return markdown_table(["projectile and plate", "particle distance, mm", "test, m/s", "computed, m/s", "error"], [
         [case["text"], case["spacing_mm"], f"{tests[case['text']]:.0f}", row["bisection_limit_mps"],
-         percent(float(row["bisection_limit_mps"]), tests[case["text"]])] for case, row in runs.limit_rows(sweeps[0])])
+         percent(float(row["bisection_limit_mps"]), tests[case["text"]])]
+        for sweep in sweeps for case, row in runs.limit_rows(sweep)])
 
 
 def scale(sweeps):
@@ -175,12 +176,12 @@ def sharp_limits(sweeps):
 
 def accuracy(sweeps):
     """All limits of the default method beside tests: those of blunt noses on steel, of sharp noses, and open ones."""
-    blunt, sharp, others = sweeps
+    blunt, sharp, *others = sweeps
     rows = [[f"blunt, {case['thickness_mm']} mm Weldox 460 E", row, Tests().limit_mps(*STEEL, float(case["thickness_mm"]))]
             for case, row in runs.limit_rows(blunt) if row["seed"] == "0"]
     rows += [[case["text"], row, Tests().limit_mps(metal_of(row["material"]), row["nose"], float(row["thickness_mm"]))]
              for case, row in runs.limit_rows(sharp)]
-    rows += [[case["text"], row, open_tests()[case["text"]]] for case, row in runs.limit_rows(others)]
+    rows += [[case["text"], row, open_tests()[case["text"]]] for sweep in others for case, row in runs.limit_rows(sweep)]
     return rows and markdown_table(["projectile and plate", "particle distance, mm", "limit, m/s", "test, m/s", "error"], [
         [text, row["spacing_mm"], row["bisection_limit_mps"], f"{test:.1f}",
          percent(float(row["bisection_limit_mps"]), test)] for text, row, test in rows])
@@ -197,7 +198,7 @@ ON_RINGS = "--method paper --lattice ring"
 LIMITS = "--limit --model mjc --spacing-mm 0.6"
 REPEATS = Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1")
 SHARP = Sweep("sharp", "sharp", "--limit --model mjc --spacing-mm 1 --method stabilised")
-OPEN = Sweep("open", "open", "--limit --method stabilised")
+OPEN = tuple(Sweep(name, name, "--limit --method stabilised") for name in ("open", "apm2"))
 
 # Name: page, from docs/; tables.
 TABLES = {
@@ -231,7 +232,7 @@ TABLES = {
     "open": ("beyond", [
         Table("Method `stabilised`, other projectiles and metals: limits by bisection to 2.5 m/s beside the tests "
               "([v50_open.csv](../apps/data/v50_open.csv)):", open_limits,
-              (OPEN,))]),
+              OPEN)]),
     "sizes_stabilised": ("beyond", [
         Table("Method `stabilised`, several particle distances: limits by bisection to 2.5 m/s.", sizes, (
             *(Sweep(f"limits_stabilised_{size}mm", "limits", f"--limit --method stabilised --model mjc --spacing-mm {size}",
@@ -255,7 +256,7 @@ TABLES = {
         Table("Method `stabilised`, conical nose, 12 mm Weldox 460 E, 355.6 m/s, particles 1 mm apart, one change at a time:",
               partial(shots, CONES), (Sweep("cone", "cone", "--method stabilised --model mjc --nose conical --spacing-mm 1 "
                                             "--velocity-mps 355.6"),))]),
-    "accuracy": ("../README", [Table("Ballistic limits, method `stabilised`:", accuracy, (REPEATS, SHARP, OPEN))]),
+    "accuracy": ("../README", [Table("Ballistic limits, method `stabilised`:", accuracy, (REPEATS, SHARP, *OPEN))]),
 }
 
 
