@@ -183,7 +183,7 @@ def accuracy(sweeps):
              for case, row in runs.limit_rows(sharp)]
     rows += [[case["text"], row, open_tests()[case["text"]]] for sweep in others for case, row in runs.limit_rows(sweep)]
     return rows and markdown_table(["projectile and plate", "particle distance, mm", "limit, m/s", "test, m/s", "error"], [
-        [text, row["spacing_mm"], row["bisection_limit_mps"], f"{test:.1f}",
+        [text, row["spacing_mm"], f"{float(row['bisection_limit_mps']):.1f}", f"{test:.1f}",
          percent(float(row["bisection_limit_mps"]), test)] for text, row, test in rows])
 
 

@@ -455,8 +455,8 @@ class Tables(unittest.TestCase):
         self.leave_limits("repeats", "thickness_mm,seed,spacing_mm,bisection_limit_mps", "6,0,0.6,140.5", "6,1,0.6,139")
         self.leave_limits("sharp", "material,nose,thickness_mm,spacing_mm,bisection_limit_mps",
                           "aa5083_h116,conical,15,1,211.5")
-        self.leave_limits("open", "material,projectile,thickness_mm,clamp_radius_mm,spacing_mm,bisection_limit_mps",
-                          "/a/b/aa6061_t651.toml,fsp_20mm,12.7,150,1,204.9")
+        self.leave_limits("open", "material,projectile,thickness_mm,sph_radius_mm,clamp_radius_mm,spacing_mm,bisection_limit_mps",
+                          "/a/b/aa6061_t651.toml,fsp_20mm,12.7,24,150,1,204.9")
         self.assertEqual(self.table("accuracy")[-3:], [
             "| blunt, 6 mm Weldox 460 E | 0.6 | 140.5 | 145.5 | -3.4 % |",
             "| conical, 15 mm AA5083-H116 | 1 | 211.5 | 216.8 | -2.4 % |",
