@@ -14,7 +14,7 @@ namespace materials {
 struct LibraryMetal {
   std::string_view name;                   ///< as the user writes it
   std::string_view title;                  ///< the name of the trade, also in the tables of tests
-  double sharp_friction = 0;               ///< Coulomb, for noses that are not blunt
+  double sharp_friction = 0;               ///< Coulomb, for noses that are not blunt, with the method of the paper
   AnyMetal (*make)(Model model) = nullptr; ///< null: it is in a file of the data folder, which has its model
 };
 

@@ -14,13 +14,13 @@ namespace shot {
 
 namespace {
 
-/// Coulomb friction of the paper: 0 for blunt noses, and so for chisels; for the others 0.08 on steel and 0.02 on
-/// aluminium. The paper gives it for conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116; the
-/// metal of a file is taken for steel.
-double default_friction(const Options &o) {
+/// Coulomb friction: 0 for blunt noses, and so for chisels; for the others that of the method. The paper gives it for
+/// conical and ogival noses on Weldox 460 E and for conical ones on AA5083-H116: with its method the metals of the
+/// library have one each, and the metal of a file is taken for steel.
+double default_friction(const Options &o, double of_method) {
   if (is_blunt(o)) return 0;
   const materials::LibraryMetal *metal = materials::find_library_metal(o.material);
-  return metal == nullptr ? 0.08 : metal->sharp_friction;
+  return metal == nullptr || o.method != Method::paper ? of_method : metal->sharp_friction;
 }
 
 /// "1=lead+2=mine" of the metals of parts.
@@ -138,7 +138,7 @@ void take_defaults(Options &o, const options::Origins &origins) {
   const auto choices = ogive::choices_of<double>(o.method);
   if (is_open("lattice")) o.lattice = choices.lattice;
   if (is_open("damage")) o.damage = default_damage(o);
-  if (is_open("band_time_us")) o.band_time_us = choices.band_time * 1e6;
+  if (is_open("band_onset")) o.band_onset = choices.band_onset;
   if (o.damage != DamageLaw::none) {
     if (is_open("damage_softening")) o.damage_softening = choices.softening;
     if (is_open("damage_pressure")) o.damage_pressure = choices.numerics.sph.damage_pressure;
@@ -148,7 +148,7 @@ void take_defaults(Options &o, const options::Origins &origins) {
   }
   if (is_open("control_stiffness")) o.control_stiffness = choices.numerics.sph.control.stiffness;
   if (is_open("failure")) o.failure = default_failure(o.damage);
-  if (is_open("friction")) o.friction = default_friction(o);
+  if (is_open("friction")) o.friction = default_friction(o, choices.sharp_friction);
 }
 
 std::string thickness_label(const Options &o) {

@@ -50,7 +50,7 @@ struct Options {
   DamageLaw damage = DamageLaw::johnson_cook;
   FailureEffect failure = FailureEffect::no_tension;
   double damage_softening = 0.3; ///< Dc
-  double band_time_us = 50;
+  double band_onset = 0.5;
   DamagePressure damage_pressure = DamagePressure::neighbours;
   double thickness_mm = 12;                 ///< of several plates the sum
   std::vector<double> layers_mm;            ///< thicknesses of several plates from front to rear; empty: one plate

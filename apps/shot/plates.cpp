@@ -163,7 +163,7 @@ Plates plates_of(const Options &o) {
           metal.damage.law = o.damage;
           metal.damage.effect = o.failure;
           metal.damage.softening = o.damage_softening;
-          metal.shear_band.time = o.band_time_us * 1e-6;
+          metal.shear_band.onset_ratio = o.band_onset;
         },
         any);
   return plates;
@@ -220,9 +220,9 @@ std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
     if (o.damage == DamageLaw::johnson_cook) add(materials::doubts_of_damage(metal));
     if (o.damage == DamageLaw::none && o.method == Method::stabilised && !has(metal, materials::Group::strain))
       add({materials::name_of(metal) + ": has no D1 to D5, so that no damage grows and plugs are held too long"});
-    if (o.band_time_us > 0 && std::visit([](const auto &m) { return m.thermal_conductivity == 0; }, metal))
-      add({materials::name_of(metal) +
-           ": has no thermal_conductivity_W_per_mK, so that no bands of shear form and plugs are held too long"});
+    if (o.band_onset > 0 && std::visit([](const auto &m) { return ogive::thermal_diffusivity(m) == 0; }, metal))
+      add({materials::name_of(metal) + ": has no specific heat or no thermal_conductivity_W_per_mK, so that no bands of "
+                                       "shear form and plugs are held too long"});
   }
   return all;
 }

@@ -57,10 +57,10 @@ void add_plate(Table &t, Options &o) {
   add(t, o.damage_pressure, {.key = "damage_pressure",
       .meaning = "pressure that damage follows: each particle's own, or the mean of its neighbours",
       .source = "neighbours, own with --method paper: ours"});
-  add(t, o.band_time_us, {.key = "band_time_us",
-      .meaning = "bands of adiabatic shear are as wide as heat spreads in this time; 0: no bands form",
-      .source = "50, 0 with --method paper: ours",
-      .limits = {0, 1e6, "us"}});
+  add(t, o.band_onset, {.key = "band_onset",
+      .meaning = "bands of adiabatic shear form at this part of the strain of instability; 0: none form",
+      .source = "0.5, 0 with --method paper: ours",
+      .limits = {0, 10, ""}});
   add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "of the plate", .source = "paper, Fig. 11",
       .brief = "thickness of the plate", .limits = {0.05, 500, "mm"}});
   add(t, o.layers_mm, {.key = "layers_mm", .meaning = "thicknesses of several plates behind each other, from front "
@@ -189,7 +189,7 @@ void add_projectile(Table &t, Options &o) {
   add(t, o.velocity_mps, {.key = "velocity_mps", .meaning = "initial velocity", .source = "tests",
       .brief = "initial velocity", .limits = {1, largest_velocity_mps, "m/s"}});
   add(t, o.friction, {.key = "friction", .meaning = "Coulomb friction between plate and projectile",
-      .source = "0 blunt and chisel; else 0.08 on weldox_460e and on FILE.toml, 0.02 on aa5083_h116: paper",
+      .source = "0 blunt and chisel; else 0.02; with paper 0.08 on steel and FILE.toml, 0.02 on aluminium",
       .limits = {0, 2, ""}});
 }
 

@@ -33,10 +33,13 @@ TEST_CASE("without arguments the options are the main job") {
 
 TEST_CASE("friction, end and folder follow from the case unless given") {
   const Options steel = options_of({"--nose", "conical"});
-  CHECK(steel.friction == 0.08);
+  CHECK(steel.friction == 0.02);
   CHECK(steel.end_us == 2180); // six passages of 110 mm at 303.5 m/s
   const Options aluminium = options_of({"--nose", "conical", "--material=aa5083_h116", "--thickness-mm", "15"});
   CHECK(aluminium.friction == 0.02);
+  CHECK(options_of({"--nose", "conical", "--method", "paper"}).friction == 0.08);
+  CHECK(options_of({"--nose", "conical", "--method", "paper", "--material", "aa5083_h116"}).friction == 0.02);
+  CHECK(options_of({"--method", "paper"}).friction == 0);
   CHECK(aluminium.out == "vtk_out/aa5083_h116_mjc_conical_15mm_303.5mps");
   const Options given = options_of({"--friction", "0.1", "--nose", "ogival", "--end-us", "50", "--out", "here"});
   CHECK(given.friction == 0.1);
@@ -221,7 +224,7 @@ TEST_CASE("the command line overrides the file, and the last of a flag counts") 
   CHECK(o.thickness_mm == 8);
   CHECK(o.velocity_mps == 260);
   CHECK(o.nose == shot::Nose::ogival);
-  CHECK(o.friction == 0.08);
+  CHECK(o.friction == 0.02);
   CHECK(o.vtk);
   CHECK_FALSE(o.picture);
   CHECK_FALSE(options_of({"--no-vtk"}).vtk);
@@ -236,7 +239,7 @@ TEST_CASE("case.toml runs the same case again") {
   all.method = shot::Method::stabilised;
   all.damage = shot::DamageLaw::cockcroft_latham;
   all.damage_softening = 0.25;
-  all.band_time_us = 70;
+  all.band_onset = 0.7;
   all.damage_pressure = shot::DamagePressure::own;
   all.failure = shot::FailureEffect::removal;
   all.thickness_mm = 25.1;

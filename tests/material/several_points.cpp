@@ -32,7 +32,7 @@ template <class Law> Body<Law> some_points(const Metal<double, Law> &metal) {
   Body<Law> body{metal, {}};
   constexpr Index count = 301;
   fill(body.points, count, initial_point(metal));
-  if (has_bands(metal.shear_band)) body.points.shear_strain.assign(count, 0);
+  if (has_bands(metal.shear_band)) body.points.shear_strain.assign(count, 0), body.points.band_age.assign(count, 0);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> u(-1, 1);
   for (Index i = 0; i < count; ++i) {
@@ -44,6 +44,7 @@ template <class Law> Body<Law> some_points(const Metal<double, Law> &metal) {
     p.pressure = bulk_modulus(metal.elasticity) * (p.density / metal.density - 1);
     if (i % 3 != 0) p.plastic_strain = 0.5 * (1 + u(random)), p.temperature += 400 * (1 + u(random));
     p.shear_strain = p.plastic_strain;
+    if (p.shear_strain > metal.shear_band.onset && i % 4 != 0) p.band_age = 3e-5 * (1 + u(random));
     if (i % 5 == 0) p.plastic_strain_rate = 1e5 * (1 + u(random));
     if (metal.damage.law != DamageLaw::none) p.damage = 0.55 * (1 + u(random));
     store(body.points, i, p);
@@ -81,6 +82,7 @@ template <class Law> void check_same(const Metal<double, Law> &metal, double nei
               Approx(after.internal_energy).epsilon(1e-6).margin(1e-5)); // of 1e3 J/kg and more
       REQUIRE(found.damage == Approx(after.damage).epsilon(1e-6));
       REQUIRE(found.shear_strain == Approx(after.shear_strain).epsilon(1e-6).margin(1e-10));
+      REQUIRE(found.band_age == Approx(after.band_age).epsilon(1e-12));
     }
   }
   CHECK(flowed > 300);
@@ -108,7 +110,7 @@ TEST_CASE("several points at once do what they do one by one", "[material]") {
     check_same(damaged);
   }
   damaged.damage.failure_strain.rate_term = FailureRateTerm::logarithmic;
-  damaged.shear_band = {50e-6, 0.3, 12};
+  damaged.shear_band = {0.5, 0.3, 0.6e-3, 5e-5};
   check_same(damaged, 8e8);
   damaged.damage.law = DamageLaw::cockcroft_latham;
   damaged.damage.critical_work = 3e8;

@@ -59,7 +59,7 @@ auto full_shot(FailureEffect effect, bool rigid, Nose nose = Nose::conical, cons
   plate.damage.effect = effect;
   plate.damage.failure_strain = {0.05, 0.05, -1.5, 0, 0, 1};
   plate.damage.softening = 0.3;
-  plate.shear_band.time = 50e-6;
+  plate.shear_band.onset_ratio = 0.4;
   plate.flow.B = 0; // heat outweighs hardening from the first strain on
   PerforationOptions<double> numerics;
   numerics.sph.variable_smoothing = true;

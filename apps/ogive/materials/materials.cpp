@@ -9,7 +9,6 @@
 
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/material/shear_band.hpp"
-#include "ogive/perforation/method.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -37,10 +36,9 @@ std::string band_text(const AnyMetal &any) {
       [](auto metal) -> std::string {
         const double strain = ogive::instability_strain(metal, 1e4);
         if (!std::isfinite(strain)) return "Bands of adiabatic shear: none, hardening outweighs heat at any strain";
-        metal.shear_band.time = ogive::choices_of<double>(ogive::Method::stabilised).band_time;
-        const double width_mm = 1e3 * ogive::band_width(metal);
+        const double width_mm = 1e3 * ogive::band_width(ogive::thermal_diffusivity(metal), 50e-6);
         return "Bands of adiabatic shear: strain of instability " + options::shortest(std::round(1e3 * strain) / 1e3) +
-               (width_mm > 0 ? ", " + options::shortest(std::round(1e4 * width_mm) / 1e4) + " mm wide"
+               (width_mm > 0 ? ", " + options::shortest(std::round(1e4 * width_mm) / 1e4) + " mm wide after 50 us"
                              : ", no conductivity is known: none form");
       },
       any);

@@ -29,9 +29,10 @@ template <class T> T p_wave_modulus(const Elasticity<T> &e) { return bulk_modulu
 
 /// Bands of adiabatic shear of a metal, see shear_band.hpp.
 template <class T> struct ShearBand {
-  T time = T(0);          ///< s, in which heat spreads over their width; 0: no bands
-  T onset = T(0);         ///< plastic strain in simple shear at which one forms, made by with_shear_bands()
-  T concentration = T(1); ///< of heat, made by with_shear_bands(); 1: no bands
+  T onset_ratio = T(0); ///< part of the strain of instability at which they form; 0: none do
+  T onset = T(0);       ///< plastic strain in simple shear at which one forms, made by with_shear_bands()
+  T spacing = T(0);     ///< particle distance, m, made by with_shear_bands(); 0: no bands
+  T diffusivity = T(0); ///< of heat, m2/s, made by with_shear_bands()
 };
 
 /// An elastic-plastic metal: elasticity, equation of state, flow law, adiabatic heat, damage.

@@ -21,6 +21,7 @@ template <class T> struct MaterialPoint {
   T damage{};              ///< 0 (sound) upwards, failure strain used up at 1
   T internal_energy{};     ///< work of the stress, J/kg
   T shear_strain{};        ///< part of the plastic strain that was simple shear; 0 where no bands of shear form
+  T band_age{};            ///< s, since a band of shear has formed in it
 };
 
 /// Cauchy stress of a point, Pa, positive in tension.
@@ -35,6 +36,7 @@ template <class T> struct MaterialPoints {
   std::vector<T> temperature, damage, internal_energy; ///< K; 1 is failure; J/kg
 
   std::vector<T> shear_strain; ///< part of the plastic strain that was simple shear; empty: no bands of shear form
+  std::vector<T> band_age;     ///< s, since a band of shear has formed in the point; empty as well
 
   /// Pa, mean over the neighbours, made anew in each step; empty: damage follows each point's own pressure.
   std::vector<T> neighbour_pressure;
@@ -58,7 +60,7 @@ template <class P, class F> void for_each_point_field(P &&points, F &&f) {
   f("temperature", "K", points.temperature);
   f("damage", "1", points.damage);
   f("internal_energy", "J/kg", points.internal_energy);
-  if (!points.shear_strain.empty()) f("shear_strain", "1", points.shear_strain);
+  if (!points.shear_strain.empty()) f("shear_strain", "1", points.shear_strain), f("band_age", "s", points.band_age);
 }
 
 /// Calls `f(name, unit, values)` for each other field of the material state: what a point keeps from the step in which
@@ -96,7 +98,8 @@ template <class T> MaterialPoint<T> load(const MaterialPoints<T> &p, Index i) {
           p.temperature[i],
           p.damage[i],
           p.internal_energy[i],
-          p.shear_strain.empty() ? T(0) : p.shear_strain[i]};
+          p.shear_strain.empty() ? T(0) : p.shear_strain[i],
+          p.band_age.empty() ? T(0) : p.band_age[i]};
 }
 
 /// The points `index_of(lane)` as one.
@@ -116,7 +119,8 @@ template <class T, class F> MaterialPoint<Pack<T>> load_points(const MaterialPoi
           of(p.temperature),
           of(p.damage),
           of(p.internal_energy),
-          p.shear_strain.empty() ? Pack<T>(T(0)) : of(p.shear_strain)};
+          p.shear_strain.empty() ? Pack<T>(T(0)) : of(p.shear_strain),
+          p.band_age.empty() ? Pack<T>(T(0)) : of(p.band_age)};
 }
 
 /// One lane of a symmetric tensor of packs.
@@ -128,7 +132,7 @@ template <class T> Sym3<T> lane_of(const Sym3<Pack<T>> &s, Index lane) {
 template <class T> MaterialPoint<T> lane_of(const MaterialPoint<Pack<T>> &m, Index lane) {
   return {lane_of(m.deviator, lane),   m.pressure[lane],    m.density[lane], m.plastic_strain[lane],
           m.plastic_strain_rate[lane], m.temperature[lane], m.damage[lane],  m.internal_energy[lane],
-          m.shear_strain[lane]};
+          m.shear_strain[lane],        m.band_age[lane]};
 }
 
 /// Writes point i.
@@ -141,7 +145,7 @@ template <class T> void store(MaterialPoints<T> &p, Index i, const MaterialPoint
   p.temperature[i] = s.temperature;
   p.damage[i] = s.damage;
   p.internal_energy[i] = s.internal_energy;
-  if (!p.shear_strain.empty()) p.shear_strain[i] = s.shear_strain;
+  if (!p.shear_strain.empty()) p.shear_strain[i] = s.shear_strain, p.band_age[i] = s.band_age;
 }
 
 } // namespace ogive

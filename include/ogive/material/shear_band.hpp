@@ -14,7 +14,8 @@
 /// hardening, further slip collects in a band some hundredths of a millimetre wide (Zener & Hollomon 1944; Bai & Dodd
 /// 1992, Adiabatic Shear Localization, Pergamon). Particles see the mean of such a band and of the metal beside it.
 /// Once a particle has slipped far enough in simple shear, its plastic work therefore heats the width of the band
-/// alone. Without this a band is as wide as some particles are, hardly warms and carries shear for far too long.
+/// alone, and that width grows as heat spreads: a band under fast shear stays hot and weak, one under slow shear cools
+/// and recovers. Without this a band is as wide as some particles are, hardly warms and carries shear for far too long.
 
 namespace ogive {
 
@@ -35,27 +36,45 @@ template <class T, class Law> T instability_strain(const Metal<T, Law> &metal, T
   return infinity;
 }
 
-/// Width of bands, m: 2 sqrt(k t/(rho c_p)), how far heat spreads in the time t of ShearBand from both sides of a
-/// plane; 0 without that time, conductivity k or heat capacity.
-template <class T, class Law> T band_width(const Metal<T, Law> &metal) {
-  if (!(metal.specific_heat > T(0))) return T(0);
-  return T(2) * std::sqrt(metal.thermal_conductivity * metal.shear_band.time / (metal.density * metal.specific_heat));
+/// Diffusivity of heat k/(rho c_p), m2/s; 0 without conductivity or heat capacity.
+template <class T, class Law> T thermal_diffusivity(const Metal<T, Law> &metal) {
+  return metal.specific_heat > T(0) ? metal.thermal_conductivity / (metal.density * metal.specific_heat) : T(0);
 }
 
-/// The metal of particles `spacing` (m) apart: with the onset of its bands and with the concentration of heat in them,
-/// the particle distance over band_width(). Bands form at 0.4 of instability_strain(), because strain is never even
-/// within a particle (an assumption, see docs/beyond.md). There are none in particles finer than they are.
+/// The metal of particles `spacing` (m) apart: with the onset of its bands, if it has any. Bands form at a part of
+/// instability_strain(), because strain is never even within a particle (an assumption, see docs/beyond.md).
 template <class T, class Law> Metal<T, Law> with_shear_bands(Metal<T, Law> metal, T spacing) {
-  metal.shear_band.onset = T(0), metal.shear_band.concentration = T(1);
-  const T width = band_width(metal);
-  if (!(width > T(0)) || width >= spacing) return metal;
-  metal.shear_band.onset = T(0.4) * instability_strain(metal, T(1e4));
-  metal.shear_band.concentration = spacing / width;
+  ShearBand<T> &band = metal.shear_band;
+  band.onset = band.spacing = T(0), band.diffusivity = thermal_diffusivity(metal);
+  if (!(band.onset_ratio > T(0)) || !(band.diffusivity > T(0))) return metal;
+  const T onset = band.onset_ratio * instability_strain(metal, T(1e4));
+  if (std::isfinite(onset)) band.onset = onset, band.spacing = spacing;
   return metal;
 }
 
 /// True if bands may form in the metal.
-template <class T> bool has_bands(const ShearBand<T> &band) { return band.concentration > T(1); }
+template <class T> bool has_bands(const ShearBand<T> &band) { return band.spacing > T(0); }
+
+/// Width of a band, m: 2 sqrt(kappa t), how far heat of the diffusivity kappa (m2/s) spreads from both sides of a plane
+/// in the time `age` (s). `N` is T or a pack of T.
+template <class T, class N> N band_width(T diffusivity, N age) {
+  using std::sqrt;
+  return T(2) * sqrt(diffusivity * age);
+}
+
+/// By how much the heating of a band that is `age` (s) old exceeds that of an even particle: the particle distance over
+/// the width, at least 1. `N` is T or a pack of T.
+template <class T, class N> N heat_concentration(const ShearBand<T> &band, N age) {
+  using std::max;
+  return max(N(1), band.spacing / band_width(band.diffusivity, age));
+}
+
+/// The part of its excess temperature that a band keeps while its age grows from `before` to `after` (s): the heat
+/// stays, the width grows. `N` is T or a pack of T.
+template <class N> N kept_excess(N before, N after) {
+  using std::sqrt;
+  return sqrt(before / after);
+}
 
 /// How far a flow is simple shear, which bands need: 1 in simple shear, 0 in flow that is as far from it as from one
 /// without rotation, or farther: 2 W_k - 1 with the kinematic vorticity number W_k = |W|/|D'| (Truesdell 1953), W the

@@ -99,24 +99,49 @@ template <class N> struct Advanced {
   N yield{};              ///< flow stress at the smallest rate, Pa, of a point that did not flow; else -1
 };
 
+/// A step of the band of shear in a point, if there is one.
+template <class N> struct BandStep {
+  N share{};          ///< of the flow that is simple shear
+  N age{};            ///< s, at the end of the step
+  N concentration{1}; ///< of the heat of the step
+  N cooling{};        ///< K, by heat that spreads
+};
+
+/// A step `dt` (s) of a band that forms in a point or is there. The mean temperature of the point, above which a band is
+/// hot, follows from its internal energy.
+template <class T, class Law, class N>
+BandStep<N> band_step(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const ElasticTrial<N> &trial, T dt) {
+  using std::max;
+  BandStep<N> step;
+  if (!has_bands(metal.shear_band)) return step;
+  step.share = simple_shear(trial.deformation_rate, trial.vorticity);
+  const auto formed = old.shear_strain >= N(metal.shear_band.onset);
+  const N after = old.band_age + dt;
+  step.age = select(formed, after, N(0));
+  step.concentration = T(1) + select(formed, step.share * (heat_concentration(metal.shear_band, after) - T(1)), N(0));
+  const N mean = metal.room_temperature + metal.taylor_quinney / metal.specific_heat * old.internal_energy;
+  const N excess = max(N(0), old.temperature - mean);
+  step.cooling = select(formed, excess * (T(1) - kept_excess(old.band_age, after)), N(0));
+  return step;
+}
+
 /// Takes the trial stress back to the flow stress and heats the point (Liu et al. 2012, Eqs. 1-2), or the band of shear
 /// in it.
 template <class T, class Law, class N>
 Advanced<N> flowed(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const ElasticTrial<N> &trial, T dt) {
-  const bool bands = has_bands(metal.shear_band);
-  const N sheared = bands ? simple_shear(trial.deformation_rate, trial.vorticity) : N(0);
-  const N concentration = T(1) + select(old.shear_strain >= N(metal.shear_band.onset),
-                                        N(sheared * (metal.shear_band.concentration - T(1))), N(0));
-  const PlasticStep<N> plastic = radial_return(metal, old, trial.equivalent_stress, dt, concentration);
+  const BandStep<N> band = band_step(metal, old, trial, dt);
+  const PlasticStep<N> plastic = radial_return(metal, old, trial.equivalent_stress, dt, band.concentration);
   const auto flows = plastic.increment > N(0);
   MaterialPoint<N> now = trial.point;
   now.deviator *= select(flows, plastic.flow_stress / trial.equivalent_stress, N(1));
   now.plastic_strain += plastic.increment;
-  now.shear_strain += sheared * plastic.increment;
+  now.shear_strain += band.share * plastic.increment;
+  now.band_age = band.age;
   now.plastic_strain_rate = plastic.increment * (T(1) / dt);
   if (metal.specific_heat > T(0))
-    now.temperature += concentration * (metal.taylor_quinney / (metal.density * metal.specific_heat)) *
+    now.temperature += band.concentration * (metal.taylor_quinney / (metal.density * metal.specific_heat)) *
                        (plastic.flow_stress * plastic.increment);
+  now.temperature -= band.cooling;
   return {now, select(flows, N(-1), plastic.flow_stress)};
 }
 
@@ -254,9 +279,10 @@ template <class Body, class T> void update_stress(Body &body, T dt) {
       store(body.points, i, after.point);
       keep_yield(body.points, i, after.yield);
     };
-    // The flow stress of a point that flowed in the last step is not known.
+    // The flow stress of a point that flowed in the last step is not known, nor is that of a band that cools.
+    const auto &age = body.points.band_age;
     for (Index i = begin; i < end; ++i)
-      if (body.points.plastic_strain_rate[i] > T(0))
+      if (body.points.plastic_strain_rate[i] > T(0) || (!age.empty() && age[i] > T(0)))
         flow(i);
       else
         at_rest[resting++] = i;

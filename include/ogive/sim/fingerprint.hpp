@@ -54,9 +54,9 @@ private:
 template <class T, class Law> void add_metal(Fingerprint &print, const Metal<T, Law> &m) {
   for (const T number : {m.density, m.elasticity.young, m.elasticity.poisson, m.eos.hugoniot_slope, m.eos.gruneisen,
                          m.specific_heat, m.taylor_quinney, m.room_temperature, m.melting_temperature, m.rate_floor,
-                         m.damage.critical_work, m.damage.softening, m.shear_band.concentration})
+                         m.damage.critical_work, m.damage.softening, m.shear_band.spacing})
     print.add(number);
-  if (has_bands(m.shear_band)) print.add(m.shear_band.onset);
+  if (has_bands(m.shear_band)) print.add(m.shear_band.onset), print.add(m.shear_band.diffusivity);
   const FailureStrain<T> &f = m.damage.failure_strain;
   for (const T number : {f.D1, f.D2, f.D3, f.D4, f.D5, f.reference_rate}) print.add(number);
   if (f.rate_term != FailureRateTerm::power) print.add(f.rate_term);

@@ -164,7 +164,10 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
   fill(body.points, body.nodes.size(), initial_point(metal));
   if (options.damage_pressure == DamagePressure::neighbours)
     body.points.neighbour_pressure.assign(body.nodes.size(), T(0));
-  if (has_bands(body.metal.shear_band)) body.points.shear_strain.assign(body.nodes.size(), T(0));
+  if (has_bands(body.metal.shear_band)) {
+    body.points.shear_strain.assign(body.nodes.size(), T(0));
+    body.points.band_age.assign(body.nodes.size(), T(0));
+  }
   body.viscous_energy.assign(body.nodes.size(), T(0));
   if (const ZeroEnergyControl<T> &control = options.control; control.stiffness > T(0))
     body.bonds = make_bonds<T>(layout.positions, symmetry, control.reach * layout.spacing);
