@@ -1,8 +1,10 @@
 """The sweeps behind the tables of docs/: lists of cases in bench/cases with options for all of them, run by `ogive sweep`
-in folders below vtk_out/bench. Cases that a folder holds already are not run again."""
+in folders below vtk_out/bench. Cases that a folder holds already are not run again. The rows of limits are kept in
+bench/rows, so that a search goes on from them on another machine; after a change of the method they must be deleted."""
 
 import csv
 import re
+import shutil
 import subprocess
 import sys
 from functools import partial
@@ -14,6 +16,7 @@ from .data import PROGRAMS, ROOT, InputError, read_json, read_records, write_tex
 
 CASES = ROOT / "bench" / "cases"
 FOLDER = ROOT / "vtk_out" / "bench"
+KEPT = ROOT / "bench" / "rows"
 PROGRAM = PROGRAMS / "ogive"
 
 
@@ -52,7 +55,7 @@ def cases_file(sweep, folder):
     """The list with the names of its material files as paths; makes those files."""
     source = CASES / f"{sweep.cases}.csv"
     header, records = read_records(source)
-    if not any(field.endswith(".toml") for _, fields in records for field in fields):
+    if not any(field in METALS for _, fields in records for field in fields):
         return source
     at = header.index("material")
     for _, fields in records:
@@ -61,23 +64,44 @@ def cases_file(sweep, folder):
             shown = subprocess.run([PROGRAM, "materials", "show", metal], check=True, capture_output=True, text=True)
             write_text(folder / fields[at], changed_metal(shown.stdout, fields[at], changes))
             fields[at] = str(folder / fields[at])
-        elif fields[at].endswith(".toml"):
-            fields[at] = str(ROOT / fields[at])
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "cases.csv", "w", encoding="utf-8", newline="") as stream:
         csv.writer(stream, lineterminator="\n").writerows([header, *(fields for _, fields in records)])
     return folder / "cases.csv"
 
 
+def is_of_limits(sweep):
+    return "--limit" in sweep.options.split()
+
+
+def take_kept(sweep):
+    """Puts the kept rows where the folder of a sweep of limits has none."""
+    kept, rows = KEPT / sweep.folder / "shots.csv", FOLDER / sweep.folder / "shots.csv"
+    if is_of_limits(sweep) and kept.exists() and not rows.exists():
+        rows.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(kept, rows)
+
+
+def keep(sweep):
+    """Keeps the rows of a sweep of limits."""
+    for name in ("shots.csv", "limits.csv"):
+        if is_of_limits(sweep) and (FOLDER / sweep.folder / name).exists():
+            (KEPT / sweep.folder).mkdir(parents=True, exist_ok=True)
+            shutil.copy(FOLDER / sweep.folder / name, KEPT / sweep.folder / name)
+
+
 def run(sweep, jobs=None):
     """Runs the cases that the folder lacks; those that fail are reported and have no row."""
     folder = FOLDER / sweep.folder
+    take_kept(sweep)
     command = list(map(str, [PROGRAM, "sweep", cases_file(sweep, folder), *(["--jobs", jobs] if jobs else []),
                              *sweep.options.split(), "--no-vtk", "--no-picture", "--out", folder]))
     print(" ".join(command), file=sys.stderr)
-    status = subprocess.run(command, check=False, stdout=2).returncode  # standard output belongs to the tables
+    # Standard output belongs to the tables; lists name files from here.
+    status = subprocess.run(command, check=False, stdout=2, cwd=ROOT).returncode
     if status:
         print(f"results: {sweep.folder} ended with status {status}", file=sys.stderr)
+    keep(sweep)
 
 
 def texts(file):
@@ -102,6 +126,8 @@ def limit_rows(sweep):
     options except the velocity: that of a case has its values, and in columns that it leaves empty none that others of the
     list give. With --vary a case has several."""
     file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
+    if not file.exists():
+        file = KEPT / sweep.folder / "limits.csv"
     columns = [column for column in listed[0] if column not in ("name", "text", "velocity_mps")]
     for case in listed:
         case.update({column: Path(case[column]).name for column in PATHS & case.keys()})
@@ -113,6 +139,14 @@ def limit_rows(sweep):
     return [(case, row) for case in listed for row in (texts(file) if file.exists() else [])
             if row["bisection_limit_mps"] and all(value(row, c) == case[c] if case[c] else value(row, c) not in given[c]
                                                   for c in columns)]
+
+
+def versions(sweep):
+    """Of the shots that have been run."""
+    folder = FOLDER / sweep.folder
+    found = {read_json(summary)["version"] for summary in folder.glob("shots/*/summary.json")}
+    kept = KEPT / sweep.folder / "shots.csv"
+    return found or ({row["version"] for row in texts(kept)} if kept.exists() else set())
 
 
 def limits(sweep):

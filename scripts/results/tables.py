@@ -5,7 +5,7 @@ from functools import partial
 from typing import Callable, NamedTuple
 
 from . import sweeps as runs
-from .data import KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, markdown_table, metal_of, read_json, read_table
+from .data import KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, markdown_table, metal_of, read_table
 from .insert import insert
 from .sweeps import Sweep
 
@@ -262,8 +262,7 @@ TABLES = {
 
 def versions(tables):
     """Of the shots in the tables."""
-    found = {read_json(summary)["version"] for table in tables for sweep in table.sweeps
-             for summary in (runs.FOLDER / sweep.folder).glob("shots/*/summary.json")}
+    found = {version for table in tables for sweep in table.sweeps for version in runs.versions(sweep)}
     if not any(table.sweeps for table in tables):
         found = {row["version"] for row in read_table(PAGE / "run_record.csv")}
     return f" with ogive {', '.join(sorted(found))}" if found else ""

@@ -6,6 +6,7 @@ import json
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -353,7 +354,8 @@ class Tables(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         self.folder = Path(temporary.name)
-        for patch in (mock.patch.object(sweeps, "FOLDER", self.folder), mock.patch.object(sweeps, "PROGRAM", "false")):
+        for patch in (mock.patch.object(sweeps, "FOLDER", self.folder), mock.patch.object(sweeps, "PROGRAM", "false"),
+                      mock.patch.object(sweeps, "KEPT", self.folder / "kept")):
             patch.start()
             self.addCleanup(patch.stop)
 
@@ -477,6 +479,26 @@ class Tables(unittest.TestCase):
                          'name = "b_0.9"\nA_MPa = 200 # yield stress\nB_MPa = 270\n')
         with self.assertRaisesRegex(tables.InputError, "D1: is no constant"):
             sweeps.changed_metal(text, "b.toml", {"D1": lambda v: 2 * v})
+
+    def test_rows_of_limits_are_kept_and_taken_up_again(self):
+        program = self.folder / "ogive"
+        program.write_text('#!/bin/sh\nwhile [ "$1" != --out ]; do shift; done\n[ -f "$2/shots.csv" ] || echo version > '
+                           '"$2/shots.csv"\necho 1.2.3 >> "$2/shots.csv"\ncp "$2/shots.csv" "$2/limits.csv"\n')
+        program.chmod(0o755)
+        limit, = tables.TABLES["sharp"][1][0].sweeps
+        shot = tables.TABLES["measured"][1][0].sweeps[0]
+        (self.folder / limit.folder).mkdir()
+        (self.folder / shot.folder).mkdir()
+        with mock.patch.object(sweeps, "PROGRAM", program), contextlib.redirect_stderr(io.StringIO()):
+            sweeps.run(limit)
+            sweeps.run(shot)
+            shutil.rmtree(self.folder / limit.folder)
+            sweeps.run(limit)
+        rows = "version\n1.2.3\n1.2.3\n"
+        self.assertEqual((self.folder / limit.folder / "shots.csv").read_text(), rows)
+        self.assertEqual((self.folder / "kept" / limit.folder / "limits.csv").read_text(), rows)
+        self.assertEqual(sweeps.versions(limit), {"1.2.3"})
+        self.assertFalse((self.folder / "kept" / shot.folder).exists())
 
     def test_sweeps_get_all_options(self):
         program = self.folder / "ogive"
