@@ -129,8 +129,8 @@ inline constexpr double checkpoint_minutes = 15;
 /// Highest initial velocity that a run may have, m/s: the equation of state is one for less.
 inline constexpr double largest_velocity_mps = 3000;
 
-/// Above it a run warns that it is outside of what was compared with tests, m/s.
-inline constexpr double fastest_tested_mps = 1500;
+/// Above it a run warns that a deformable projectile may stop it, m/s.
+inline constexpr double fastest_deformable_mps = 1500;
 
 /// Largest number of an arrangement of the particles.
 inline constexpr int largest_seed = 1000000;

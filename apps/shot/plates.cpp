@@ -5,6 +5,7 @@
 #include "materials/material_keys.hpp"
 #include "parts.hpp"
 #include "table.hpp"
+#include "tested_range.hpp"
 
 #include <numeric>
 #include <utility>
@@ -207,10 +208,9 @@ void settle_materials(Options &o, const Origins &origins) {
 
 std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
   std::vector<std::string> all;
-  if (o.velocity_mps > fastest_tested_mps)
+  if (o.velocity_mps > fastest_deformable_mps && !o.rigid)
     all.push_back("velocity_mps = " + options::shortest(o.velocity_mps) + ": above " +
-                  options::shortest(fastest_tested_mps) +
-                  " m/s nothing was compared with tests, and a deformable projectile may stop the run");
+                  options::shortest(fastest_deformable_mps) + " m/s a deformable projectile may stop the run");
   const auto add = [&](std::vector<std::string> doubts) {
     for (std::string &doubt : doubts)
       if (std::find(all.begin(), all.end(), doubt) == all.end()) all.push_back(std::move(doubt));
@@ -224,6 +224,7 @@ std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
       add({materials::name_of(metal) + ": has no specific heat or no thermal_conductivity_W_per_mK, so that no bands of "
                                        "shear form and plugs are held too long"});
   }
+  if (std::string outside = outside_tested_range(o); !outside.empty()) all.push_back(std::move(outside));
   return all;
 }
 

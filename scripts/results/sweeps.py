@@ -56,7 +56,7 @@ def cases_file(sweep, folder):
     source = CASES / f"{sweep.cases}.csv"
     header, records = read_records(source)
     if not any(field in METALS for _, fields in records for field in fields):
-        return source
+        return source.relative_to(ROOT)  # so that rows name no folder above
     at = header.index("material")
     for _, fields in records:
         if fields[at] in METALS:
@@ -97,7 +97,7 @@ def run(sweep, jobs=None):
     command = list(map(str, [PROGRAM, "sweep", cases_file(sweep, folder), *(["--jobs", jobs] if jobs else []),
                              *sweep.options.split(), "--no-vtk", "--no-picture", "--out", folder]))
     print(" ".join(command), file=sys.stderr)
-    # Standard output belongs to the tables; lists name files from here.
+    # Standard output belongs to the tables.
     status = subprocess.run(command, check=False, stdout=2, cwd=ROOT).returncode
     if status:
         print(f"results: {sweep.folder} ended with status {status}", file=sys.stderr)

@@ -378,7 +378,7 @@ class Tables(unittest.TestCase):
                 self.assertEqual(len(names), len(set(names)), sweep)
                 for case in sweeps.cases(sweep):
                     metal = case.get("material", "")
-                    self.assertTrue(not metal.endswith(".toml") or metal in sweeps.METALS or (sweeps.ROOT / metal).is_file(),
+                    self.assertTrue(not metal.endswith(".toml") or metal in sweeps.METALS or (sweeps.CASES / metal).is_file(),
                                     case)
 
     def test_shots(self):

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tested_range.hpp"
+
+#include "materials/library.hpp"
+#include "plates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace shot {
+
+namespace {
+
+struct Range {
+  double low, high;
+};
+
+constexpr Range calibres_mm{6, 20};
+constexpr Range thicknesses_in_calibres{0.3, 4.2};
+constexpr Range velocities_mps{75, 640};
+constexpr std::array<std::string_view, 6> metals{"weldox_460e",      "weldox_700e", "aa5083_h116",
+                                                 "aa5083_h116_25mm", "aa6061_t651", "aa6082_t6"};
+
+} // namespace
+
+std::string outside_tested_range(const Options &o) {
+  std::vector<std::string> all;
+  const auto within = [&](const char *name, double value, const Range &range) {
+    constexpr double slack = 1e-9;
+    if (value < range.low * (1 - slack) || value > range.high * (1 + slack))
+      all.push_back(options::printed("%s (tests: %g to %g)", name, range.low, range.high));
+  };
+  within("diameter_mm", o.diameter_mm, calibres_mm);
+  within("thickness over diameter", o.thickness_mm / o.diameter_mm, thicknesses_in_calibres);
+  within("velocity_mps", o.velocity_mps, velocities_mps);
+  if (o.obliquity_deg != 0 || o.pitch_deg != 0 || o.yaw_deg != 0)
+    all.emplace_back("obliquity, pitch or yaw (tests: none)");
+  if (o.layers_mm.size() > 1) all.emplace_back("several plates (tests: one)");
+  for (const std::string &material : materials_of(o)) {
+    const std::string metal = materials::label_of(material);
+    if (std::find(metals.begin(), metals.end(), metal) == metals.end()) all.push_back("metal " + metal);
+  }
+  std::string text;
+  for (auto one = all.begin(); one != all.end(); ++one)
+    if (std::find(all.begin(), one, *one) == one) text += (text.empty() ? "" : "; ") + *one;
+  return text.empty() ? "" : "outside of what was compared with tests: " + text;
+}
+
+} // namespace shot

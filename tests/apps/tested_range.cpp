@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shot/tested_range.hpp"
+
+#include "apps/parse.hpp"
+#include "catch.hpp"
+
+namespace {
+
+std::string outside(std::vector<const char *> arguments) {
+  return shot::outside_tested_range(options_of(arguments));
+}
+
+const std::string begin = "outside of what was compared with tests: ";
+
+} // namespace
+
+TEST_CASE("the cases of the tests lie within the tested range") {
+  CHECK(outside({}).empty());
+  CHECK(outside({"--thickness-mm", "6", "--velocity-mps", "75"}).empty());
+  CHECK(outside({"--thickness-mm", "30", "--nose", "conical", "--material", "aa5083_h116"}).empty());
+  CHECK(outside({"--projectile", "apm2_762_core", "--thickness-mm", "25.4", "--velocity-mps", "600", "--material",
+                 "aa6061_t651", "--spacing-mm", "0.5"})
+            .empty());
+}
+
+TEST_CASE("what lies outside of the tested range is named, in one line") {
+  CHECK(outside({"--velocity-mps", "700"}) == begin + "velocity_mps (tests: 75 to 640)");
+  CHECK(outside({"--obliquity-deg", "20", "--extent", "half", "--sph-radius-mm", "35"}) ==
+        begin + "obliquity, pitch or yaw (tests: none)");
+  CHECK(outside({"--layers-mm", "6,6", "--layer-materials", "steel_4340,steel_4340", "--damage", "none"}) ==
+        begin + "several plates (tests: one); metal steel_4340");
+  CHECK(outside({"--diameter-mm", "40", "--sph-radius-mm", "50", "--thickness-mm", "8", "--spacing-mm", "2"}) ==
+        begin + "diameter_mm (tests: 6 to 20); thickness over diameter (tests: 0.3 to 4.2)");
+}
