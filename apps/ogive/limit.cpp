@@ -7,6 +7,7 @@
 #include "shot/table.hpp"
 #include "study/finish.hpp"
 #include "study/plots.hpp"
+#include "study/prediction.hpp"
 
 #include "ogive/fit/repeated_limit.hpp"
 #include "ogive/io/atomic_file.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct LimitOptions {
   double width_mps = 5; ///< of the bracket
   int repeats = 1;      ///< searches, each with an arrangement of its own
+  std::filesystem::path check; ///< a record to compare with; empty: none
   bool run = true;
 };
 
@@ -41,6 +43,9 @@ options::Table table_of(shot::Options &o, LimitOptions &l) {
       .meaning = "searches, the first with --seed, the next with that and 1 more each; gives mean, standard deviation "
       "and 90 % interval", .source = "ours", .brief = "searches with other arrangements of the particles",
       .limits = {1, 1000, ""}, .in_file = false});
+  options::add(t, l.check, {.key = "check",
+      .meaning = "a prediction.json that this command wrote earlier for the same case: whether the limit is confirmed",
+      .source = "none", .in_file = false}).placeholder = "FILE.json";
   return t;
 }
 // clang-format on
@@ -131,6 +136,17 @@ void finish(const std::vector<study::Series> &series, double width_mps, const st
   std::printf("  %-22s %s, %s\n", "files", study::rows_shown(out).c_str(), (out / "limits.csv").c_str());
 }
 
+/// Writes OUT/prediction.json, and prints whether it confirms an earlier one. False if it does not.
+bool finish_prediction(const study::Prediction &now, const std::optional<study::Prediction> &earlier,
+                       const std::filesystem::path &out) {
+  ogive::write_atomically(out / "prediction.json", now.text);
+  std::printf("  %-22s %s\n", "record", (out / "prediction.json").c_str());
+  if (!earlier) return true;
+  const study::Comparison comparison = study::compared(now, *earlier);
+  std::printf("  %-22s %s\n", "earlier prediction", comparison.text.c_str());
+  return comparison.confirmed;
+}
+
 /// The shots above a limit that show the curve.
 std::vector<study::Case> curve_above(const study::Series &series, double limit) {
   std::vector<study::Case> shots;
@@ -171,6 +187,11 @@ int limit(const options::Arguments &arguments) {
   if (o.seed > shot::largest_seed + 1 - l.repeats)
     options::refuse("--repeats", std::to_string(l.repeats),
                     "must be at most " + std::to_string(shot::largest_seed + 1 - o.seed) + " with this --seed");
+  std::optional<study::Prediction> earlier;
+  if (!l.check.empty()) {
+    earlier = study::read_prediction(l.check, "--check");
+    study::require_same_case(*earlier, o, l.width_mps, "--check");
+  }
   // Two shots on a core each take less time than one after the other on both.
   const int threads = o.threads.value_or(study::cores());
   const study::Study study{.out = o.out, .own_columns = own_columns, .jobs = std::min(4, threads), .cores = threads};
@@ -218,11 +239,15 @@ int limit(const options::Arguments &arguments) {
     if (limit) add(all, study::run_cases(study, curve_above(first, *limit), report));
     return all;
   };
-  return study::run_study("ogive limit", study, l.run, run, [&] {
+  bool confirmed = true;
+  const int status = study::run_study("ogive limit", study, l.run, run, [&] {
     if (!complete) return;
     if (!l.run) print_bisection(series.front(), o.out);
     finish(series, l.width_mps, tested, o.out);
+    const auto rows = study::read_all_rows(o.out, own_columns);
+    confirmed = finish_prediction(study::predicted(o, l.width_mps, series, rows), earlier, o.out);
   });
+  return status == options::success && !confirmed ? options::not_finished : status;
 }
 
 } // namespace commands

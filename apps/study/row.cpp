@@ -81,11 +81,14 @@ std::string csv_line(const Texts &fields) {
   return options::joined(quoted, ",") + "\n";
 }
 
-double number(const Row &row, const char *column) {
+const std::string &text_of(const Row &row, const char *column) {
   const auto &columns = result_columns();
   const auto k = std::find(columns.begin(), columns.end(), column) - columns.begin();
-  return ogive::number_from(row.results[static_cast<std::size_t>(k)])
-      .value_or(std::numeric_limits<double>::quiet_NaN());
+  return row.results[static_cast<std::size_t>(k)];
+}
+
+double number(const Row &row, const char *column) {
+  return ogive::number_from(text_of(row, column)).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 bool is_undecided(const Row &row) { return std::isnan(number(row, "perforated")); }

@@ -37,6 +37,9 @@ struct Row {
   Texts results; ///< of result_columns()
 };
 
+/// A result as text; empty where an undecided shot has none.
+const std::string &text_of(const Row &row, const char *column);
+
 /// A result as a number; NaN where an undecided shot has none.
 double number(const Row &row, const char *column);
 
