@@ -4,6 +4,7 @@ import math
 from functools import partial
 from typing import Callable, NamedTuple
 
+from . import cavity
 from . import sweeps as runs
 from .data import KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, markdown_table, metal_of, read_table
 from .insert import insert
@@ -127,18 +128,21 @@ def repeats(sweeps):
 
 
 def open_tests():
-    """Limits of tests with other projectiles and metals than the paper's, m/s, by the text of their cases."""
-    return {f"{test['projectile']} at {test['thickness_mm']} mm {test['target']}": float(test["V50_mps"])
+    """Tests with other projectiles and metals than the paper's, by the text of their cases."""
+    return {f"{test['projectile']} at {test['thickness_mm']} mm {test['target']}": test
             for test in runs.texts(ROOT / "apps" / "data" / "v50_open.csv")}
 
 
 def open_limits(sweeps):
-    """Limits beside tests with other projectiles and metals than the paper's."""
-    tests = open_tests()
-    return markdown_table(["projectile and plate", "particle distance, mm", "test, m/s", "computed, m/s", "error"], [
-        [case["text"], case["spacing_mm"], f"{tests[case['text']]:.0f}", row["bisection_limit_mps"],
-         percent(float(row["bisection_limit_mps"]), tests[case["text"]])]
-        for sweep in sweeps for case, row in runs.limit_rows(sweep)])
+    """Limits beside tests with other projectiles and metals than the paper's, and those of cavity expansion."""
+    rows, tests = [], open_tests()
+    for case, row in (found for sweep in sweeps for found in runs.limit_rows(sweep)):
+        test, formula = float(tests[case["text"]]["V50_mps"]), cavity.limit_mps(tests[case["text"]])
+        rows.append([case["text"], case["spacing_mm"], f"{test:.0f}", row["bisection_limit_mps"],
+                     percent(float(row["bisection_limit_mps"]), test), f"{formula:.0f}" if formula else "–",
+                     percent(formula, test)])
+    return rows and markdown_table(["projectile and plate", "particle distance, mm", "test, m/s", "computed, m/s", "error",
+                                    "cavity expansion, m/s", "error of it"], rows)
 
 
 def scale(sweeps):
@@ -181,7 +185,7 @@ def accuracy(sweeps):
             for case, row in runs.limit_rows(blunt) if row["seed"] == "0"]
     rows += [[case["text"], row, Tests().limit_mps(metal_of(row["material"]), row["nose"], float(row["thickness_mm"]))]
              for case, row in runs.limit_rows(sharp)]
-    rows += [[case["text"], row, open_tests()[case["text"]]] for sweep in others for case, row in runs.limit_rows(sweep)]
+    rows += [[case["text"], row, float(open_tests()[case["text"]]["V50_mps"])] for sweep in others for case, row in runs.limit_rows(sweep)]
     return rows and markdown_table(["projectile and plate", "particle distance, mm", "limit, m/s", "test, m/s", "error"], [
         [text, row["spacing_mm"], f"{float(row['bisection_limit_mps']):.1f}", f"{test:.1f}",
          percent(float(row["bisection_limit_mps"]), test)] for text, row, test in rows])

@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 
-from results import figures, fits, sweeps, tables  # noqa: E402
+from results import cavity, figures, fits, sweeps, tables  # noqa: E402
 from results.checks import Bound, Result, status_of_figure  # noqa: E402
 from results.data import cubic_particles, ended_by_time, read_shots, short  # noqa: E402
 from results.page import from_markdown  # noqa: E402
@@ -463,7 +463,7 @@ class Tables(unittest.TestCase):
             "| blunt, 6 mm Weldox 460 E | 0.6 | 140.5 | 145.5 | -3.4 % |",
             "| conical, 15 mm AA5083-H116 | 1 | 211.5 | 216.8 | -2.4 % |",
             "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 204.9 | 218.0 | -6.0 % |"])
-        self.assertEqual(self.table("open")[-1], "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 218 | 204.9 | -6.0 % |")
+        self.assertEqual(self.table("open")[-1], "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 218 | 204.9 | -6.0 % | – | – |")
         self.assertEqual(self.table("sharp")[-1], "| conical, 15 mm AA5083-H116 | 216.8 | 211.5 | -2.4 % |")
 
     def test_no_shot_is_an_error(self):
@@ -479,6 +479,18 @@ class Tables(unittest.TestCase):
                          'name = "b_0.9"\nA_MPa = 200 # yield stress\nB_MPa = 270\n')
         with self.assertRaisesRegex(tables.InputError, "D1: is no constant"):
             sweeps.changed_metal(text, "b.toml", {"D1": lambda v: 2 * v})
+
+    def test_cavity_expansion(self):
+        # Without hardening the integral is ln(E/(sqrt(3) Y)).
+        self.assertAlmostEqual(cavity.expansion_stress(300e6, 70e9, 0) / 1e6,
+                               300 / math.sqrt(3) * (1 + math.log(70e3 / (math.sqrt(3) * 300))), 4)
+        core = {"projectile": "7.62 mm APM2 core", "thickness_mm": "20", "obliquity_deg": "0", "yield_MPa": "300",
+                "young_GPa": "70", "ludwik_n": "0"}
+        # The energy of 5.25 g is the work of that stress on the hole.
+        work = cavity.expansion_stress(300e6, 70e9, 0) * 20e-3 * math.pi * (6.17e-3 / 2) ** 2
+        self.assertAlmostEqual(cavity.limit_mps(core), math.sqrt(2 * work / 5.25e-3), 6)
+        for change in ({"obliquity_deg": "30"}, {"yield_MPa": ""}, {"projectile": "20 mm FSP"}):
+            self.assertIsNone(cavity.limit_mps({**core, **change}))
 
     def test_rows_of_limits_are_kept_and_taken_up_again(self):
         program = self.folder / "ogive"
