@@ -114,7 +114,7 @@ void write_hardening(Plots &p) {
   const std::string rate = printed("%g 1/s", p.results.series.quasi_static_rate);
   const auto &q = p.law.quasi_static[0];
   Curves first, plates;
-  add_pair(first, 0, "test", printed("%.1f + %.1f ε^%.4f MPa", q.A * 1e-6, q.B * 1e-6, q.a), 1);
+  add_pair(first, 0, "curve", printed("%.1f + %.1f ε^%.4f MPa", q.A * 1e-6, q.B * 1e-6, q.a), 1);
   p.draw("hardening.svg", {"quasi-static, " + rate, "", stress, from_zero, first});
   for (std::size_t h = 0; count > 1 && h < count; ++h)
     if (!(p.results.series.pooled && h + 1 == count)) add_pair(plates, h, p.law.hardenings[h], "", h);
@@ -208,14 +208,14 @@ void write_prediction(Plots &p) {
       if (is_at_room(curves[c], h) && belongs(curves[c].curve.rate))
         plot.push_back({p.points_of(c), circles + style, std::exchange(title, "")});
   };
-  add_tests([&](double rate) { return !rates.contains(rate); }, " lc rgb '#b0b0b0'", "tests at other rates");
+  add_tests([&](double rate) { return !rates.contains(rate); }, " lc rgb '#b0b0b0'", "curves at other rates");
   std::size_t k = 0;
   for (const double rate : rates) {
     add_tests([&](double other) { return other == rate; }, colour(k), "");
     plot.push_back({p.rows("prediction.csv", 1, rate, "2:3"), line + colour(k++), shortest(rate) + " 1/s"});
   }
   const std::string plate = p.law.hardenings.size() > 1 ? "plate " + p.law.hardenings[h] + ", " : "";
-  p.draw("prediction.svg", {plate + "tests (points) and law (lines)", "", stress, from_zero, plot});
+  p.draw("prediction.svg", {plate + "curves (points) and law (lines)", "", stress, from_zero, plot});
 }
 
 } // namespace
