@@ -72,7 +72,8 @@ def read_options():
     option("--jobs", type=positive, help="cases at a time, with --run")
     inserted(option)
 
-    option = command("fits", "fits", "make_fits", "fit the laws to the computed curves (Figs. 1 to 3) and print their tables")
+    option = command("fits", "fits", "make_fits", "fit the laws to synthetic curves (Figs. 1 to 3) and print their tables")
+    option("--curves", type=Path, help="folder with measured curves instead: weldox_460e.csv, aa5083_h116.csv or both")
     option("--folder", type=Path, default=ROOT / "build" / "figures_1_to_3", help="for the fits [build/figures_1_to_3]")
     option("--program", type=Path, help="[build/release/apps/ogive, which is built]")
     inserted(option)

@@ -592,6 +592,56 @@ class Figures(unittest.TestCase):
         self.assertTrue(fits.are_done(self.folder, program, page_only=True))
 
 
+class Fits(unittest.TestCase):
+    FIT = {"A_MPa": 1, "B_MPa": 2, "a": 3, "n": 3, "C": 4, "b": 5, "m": 5, "rms_percent": 6, "version": "0.1.0"}
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        self.program, self.curves = self.folder / "ogive", self.folder / "curves"
+        fit = {**self.FIT, "standard_error": self.FIT, "simultaneous": self.FIT,
+               "quasi_static": {"A_MPa": 1, "B_MPa": 2, "rate_per_s": 7.4e-4}}
+        self.program.write_text('#!/bin/sh\necho "$@" >> ' + f"{self.folder}/commands\n"
+                                'while [ "$1" != --out ]; do shift; done\nmkdir -p "$2"\n'
+                                f"echo '{json.dumps(fit)}' > \"$2/fit.json\"\n")
+        self.program.chmod(0o755)
+        self.curves.mkdir()
+
+    def fit(self, *arguments):
+        return run("fits", "--program", self.program, "--folder", self.folder / "fits", *arguments)
+
+    def test_synthetic_curves(self):
+        done = self.fit()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("from synthetic curves.", done.stdout)
+        self.assertEqual(done.stdout.count("law that made the curves"), 2)
+        commands = (self.folder / "commands").read_text().splitlines()
+        self.assertEqual(len(commands), 7)
+        self.assertRegex(commands[0],
+                         r"^calibrate --data \S*/synthetic_weldox_460e.csv --name Weldox 460 E synthetic --melting-K")
+
+    def test_curves_of_the_user(self):
+        (self.curves / "aa5083_h116.csv").write_text("")
+        done = self.fit("--curves", self.curves)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("from measured curves.", done.stdout)
+        self.assertIn("| paper, Table 2 |", done.stdout)
+        self.assertNotIn("Table 1", done.stdout)
+        self.assertNotIn("law that made the curves", done.stdout)
+        commands = (self.folder / "commands").read_text().splitlines()
+        self.assertEqual(len(commands), 3)
+        self.assertTrue(all(f"--data {self.curves}/aa5083_h116.csv --name AA5083-H116 --melting-K" in c for c in commands))
+
+    def test_wrong_input(self):
+        for arguments, text in (((), "must be a folder that holds weldox_460e.csv or aa5083_h116.csv"),
+                                (("--insert",), "must not go with --curves")):
+            done = self.fit("--curves", self.curves, *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(text, done.stderr)
+            self.assertFalse((self.folder / "commands").exists())
+
+
 class InsertTables(Folders):
     PAGE = "# Page\n\n<!-- table: one (a) -->\n\n| 1 |\n\n<!-- table: one (a) -->\n\ntext\n<!-- tables: P=q b -->\nold\n" \
            "<!-- tables: P=q b -->\nend\n"
