@@ -36,15 +36,17 @@ def read_options():
         return added.add_argument
 
     def checked(option):
-        option("--checks", type=Path, default=PAGE / "acceptance.toml", help="[docs/results/acceptance.toml]")
+        option("--checks", type=Path, action="append",
+               help="a file with checks; may be repeated [docs/results/acceptance.toml and acceptance_beyond.toml]")
         option("--spacing-mm", type=float, help="particle distance of the runs [that of the checks]")
 
     def inserted(option):
         option("--insert", action="store_true", dest="put_in", help="put the tables into their page in docs/, too")
 
-    option = command("accept", "checks", "accept", "check results; status 1 if a check fails or lacks its data")
+    option = command("accept", "verdicts", "accept", "check results; status 1 if a check fails or lacks its data")
     option("folder", nargs="?", type=Path, default=PAGE / "data", help="of a page or a campaign [docs/results/data]")
-    option("--figures", action="store_true", help="print the status of each figure, in Markdown, instead")
+    option("--figures", action="store_true", help="print the verdicts on each figure, in Markdown, instead")
+    option("--reasons", action="store_true", help="print the reason for each bound, too")
     checked(option)
 
     option = command("page", "page", "make_page", "make the page of the results of a campaign")

@@ -1,4 +1,4 @@
-"""Holds results against docs/results/acceptance.toml: one Result for each check."""
+"""Compares results with the checks of docs/results/acceptance*.toml: one Result for each check."""
 
 import itertools
 import math
@@ -6,13 +6,13 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from .data import (PAGE, InputError, Results, Tests, close, half_width_mps, markdown_table, of_plate, read_toml, short)
-from .kinds import KINDS, NUMBER, Missing, limit_against_test, plate_text
+from .data import PAGE, InputError, close, half_width_mps, of_plate, read_toml, short
+from .kinds import KINDS, NUMBER, Missing, limit_against_test, plate_text, residuals_against_tests
 
-CHECKS = PAGE / "acceptance.toml"
-BEYOND = PAGE / "acceptance_beyond.toml"
-FACTS = PAGE / "paper_facts.toml"
+FILES = (PAGE / "acceptance.toml", PAGE / "acceptance_beyond.toml")
 
+# What a check compares the results with.
+QUESTIONS = {"paper": "against the paper", "tests": "against the tests", "seen": "what is seen"}
 UNITS = {"percent": "%", "mps": "m/s", "standard_errors": "standard errors"}
 BOUND = re.compile(r"(within|at_least|at_most|above|below)(?:_(\w+))?")
 
@@ -44,28 +44,40 @@ class Bound:
 
 @dataclass
 class Result:
-    """A check and what came of it."""
+    """A check and its outcome."""
     id: str
     figures: list
     statement: str
-    is_picture: bool
+    against: str  # paper, tests or seen
+    reason: str  # for the bound
+    method: str  # all: of no method in particular
     status: str  # pass, FAIL or missing
-    measured: str
-    limit: str
-    share: float  # of what is allowed
+    number: str  # the measured one with its unit; empty for pictures and where it is missing
+    where: str  # what the number belongs to, or what is missing
+    bound: str
+    share: float  # of the bound
+
+    @property
+    def measured(self):
+        return f"{self.number} ({self.where})" if self.number else self.where
+
+    def text(self):
+        return f"{self.statement}: {self.measured}; bound: {self.bound}"
 
     def line(self):
-        return f"{self.status:<7} {self.id}: {self.statement}: {self.measured}; asked: {self.limit}"
+        return f"{self.status:<7} {self.against:<5} {self.id}: {self.text()}"
 
 
 class Check:
-    """A [[check]] and the results that it is held against."""
+    """A [[check]] and the results that it judges."""
 
     def __init__(self, table, defaults, results, tests, file):
         self.results, self.tests, self.table, self.defaults = results, tests, table, defaults
         self.where = f"{file.name}: check {table.get('id', '?')}"
-        for name in ("id", "statement", "kind"):
+        for name in ("id", "statement", "kind", "against", "reason"):
             self.value(name, str)
+        if table["against"] not in QUESTIONS:
+            self.refuse("against", f"must be one of {', '.join(QUESTIONS)}")
         if table["kind"] not in KINDS:
             self.refuse("kind", f"must be one of {', '.join(KINDS)}")
         figures = table.get("figure")
@@ -73,7 +85,9 @@ class Check:
         if not self.figures or not all(isinstance(f, int) and 0 <= f <= 99 for f in self.figures):
             self.refuse("figure", "must be the number of a figure or a list of them, 0 for all runs")
         self.measure, units, needed, allowed = KINDS[table["kind"]]
-        known = {"id", "figure", "statement", "kind", "method", "model", "spacing_mm", *needed, *allowed}
+        known = {"id", "figure", "statement", "against", "reason", "kind", "method", "model", "spacing_mm", *needed,
+                 *allowed}
+        self.method = self.value("method", str) if "metal" in needed else "all"
         self.bounds = []
         for name, value in table.items():
             match = BOUND.fullmatch(name)
@@ -120,12 +134,13 @@ class Check:
         """All noses with all thicknesses."""
         return list(itertools.product(self.several("nose", str), self.several("thickness_mm", NUMBER)))
 
-    def _series(self, rows, nose, thickness_mm):
-        return of_plate(rows, self.value("metal", str), nose, thickness_mm, self.value("model", str),
+    def _series(self, rows, nose, thickness_mm, model=None):
+        return of_plate(rows, self.value("metal", str), nose, thickness_mm, model or self.value("model", str),
                         self.value("method", str), self.value("spacing_mm", NUMBER))
 
-    def shots(self, nose, thickness_mm):
-        return self._series(self.results.shots, nose, thickness_mm)
+    def shots(self, nose, thickness_mm, model=None):
+        """Those of the law of the check or of another one."""
+        return self._series(self.results.shots, nose, thickness_mm, model)
 
     def shot(self, nose, thickness_mm):
         """The one that the check is about: at velocity_mps, or the slowest that perforated once the limit is known."""
@@ -157,74 +172,45 @@ class Check:
 
     def result(self):
         try:
-            found = self.judged(list(self.measure(self)))
+            status, number, where, share = self.judged(list(self.measure(self)))
         except Missing as missing:
-            found = "missing", str(missing), math.inf
-        limit = " and ".join(bound.text() for bound in self.bounds) or "it is there"
-        return Result(self.table["id"], self.figures, self.table["statement"], self.table["kind"] == "picture", *found[:2],
-                      limit, found[2])
+            status, number, where, share = "missing", "", str(missing), math.inf
+        bound = " and ".join(bound.text() for bound in self.bounds) or "it is there"
+        table = self.table
+        return Result(table["id"], self.figures, table["statement"], table["against"], table["reason"], self.method, status,
+                      number, where, bound, share)
+
+    def is_yes_or_no(self):
+        """Whether a bound that is kept is used up by nothing: counts, and whether a plate is perforated."""
+        return self.table["kind"] == "perforating_velocities" or self.table.get("quantity") == "perforated"
 
     def judged(self, measured):
-        """Status, text and share of the worst value."""
-        share, value, label = max(((max((b.share(v) for b in self.bounds), default=0), v, text)
+        """Status, number, what it belongs to and share of the worst value."""
+        share, value, where = max(((max((b.share(v) for b in self.bounds), default=0), v, text)
                                    for v, text in measured), key=lambda found: found[0])
         if not self.bounds:
-            return "pass", label, share
+            return "pass", "", where, share
         unit = UNITS.get(self.bounds[0].unit, self.bounds[0].unit)
-        deviates = self.measure is limit_against_test or any(bound.relation == "within" for bound in self.bounds)
-        text = f"{'+' if deviates and value > 0 else ''}{short(value, 3)}{' ' + unit if unit else ''} ({label})"
-        return "pass" if all(bound.holds(value) for bound in self.bounds) else "FAIL", text, share
+        deviates = (self.measure in (limit_against_test, residuals_against_tests)
+                    or any(bound.relation == "within" for bound in self.bounds))
+        number = f"{'+' if deviates and value > 0 else ''}{short(value, 3)}{' ' + unit if unit else ''}"
+        if not all(bound.holds(value) for bound in self.bounds):
+            return "FAIL", number, where, share
+        return "pass", number, where, 0 if self.is_yes_or_no() else share
 
 
-def run_checks(results, tests, file=CHECKS, spacing_mm=None):
-    """All checks of a file; `spacing_mm` replaces the particle distance of its [defaults]."""
-    tables = read_toml(file)
-    defaults = tables.get("defaults", {})
-    if spacing_mm is not None:
-        defaults["spacing_mm"] = spacing_mm
-    checks = [Check(table, defaults, results, tests, Path(file)) for table in tables.get("check", [])]
+def run_checks(results, tests, files=FILES, spacing_mm=None):
+    """All checks of some files; `spacing_mm` replaces the particle distance of their [defaults]."""
+    checks = []
+    for file in files:
+        tables = read_toml(file)
+        defaults = tables.get("defaults", {})
+        if spacing_mm is not None:
+            defaults["spacing_mm"] = spacing_mm
+        if not tables.get("check"):
+            raise InputError(f"{file}: has no [[check]]")
+        checks += [Check(table, defaults, results, tests, Path(file)) for table in tables["check"]]
     ids = [check.table["id"] for check in checks]
     for name in (name for name in ids if ids.count(name) > 1):
-        raise InputError(f"{file}: id = {name}: must be the id of one check only")
-    if not checks:
-        raise InputError(f"{file}: has no [[check]]")
+        raise InputError(f"{', '.join(map(str, files))}: id = {name}: must be the id of one check only")
     return [check.result() for check in checks]
-
-
-def status_of_figure(results):
-    """Reproduced, partly, not or not run yet, from the results of a figure's checks, and the one that decides: the
-    worst of those that failed, else the tightest. That a picture is there reproduces nothing by itself."""
-    measured = [r for r in results if not r.is_picture and r.status != "missing"]
-    passed = [r for r in measured if r.status == "pass"]
-    failed = [r for r in measured if r.status == "FAIL"]
-    decides = max(failed or passed, key=lambda r: r.share, default=None)
-    if results and all(r.status == "pass" for r in results):
-        return "reproduced", decides
-    return ("partly" if passed else "not" if failed else "not run yet"), decides
-
-
-def summary(results):
-    passed = sum(r.status == "pass" for r in results)
-    return f"{passed} passed, {len(results) - passed} failed"
-
-
-def figure_table(results):
-    """The status of each figure in Markdown, for docs/doxygen/validation.md."""
-    rows = []
-    for fact in read_toml(FACTS)["figure"]:
-        of_figure = [r for r in results if fact["number"] in r.figures]
-        word, decides = status_of_figure(of_figure)
-        passed = sum(r.status == "pass" for r in of_figure)
-        text = f"{decides.statement}: {decides.measured}; asked: {decides.limit}" if decides else ""
-        rows.append([str(fact["number"]), fact["title"], word, f"{passed} of {len(of_figure)}", text])
-    return markdown_table(["figure", "what it shows", "status", "checks", "what decides"], rows)
-
-
-def accept(folder, figures, checks, spacing_mm):
-    """Prints a line for each check, or the status of each figure; gives 1 if a check failed or lacks its data."""
-    results = run_checks(Results(folder), Tests(), checks, spacing_mm)
-    if figures:
-        print(figure_table(results))
-        return 0
-    print("\n".join([*(result.line() for result in results), summary(results)]))
-    return 0 if all(result.status == "pass" for result in results) else 1

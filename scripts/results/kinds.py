@@ -1,7 +1,6 @@
 """The kinds of checks that docs/results/acceptance.toml may name. Each takes a Check of checks.py, which knows parameters,
 bounds and results, and yields what it measured as (value, where or what); the worst of them counts."""
 
-import itertools
 import math
 
 from .data import close, metal_of, percent_of, short
@@ -32,21 +31,45 @@ def limit_against_test(check):
         yield percent_of(limit, test), f"{short(limit)} m/s, test {short(test)} m/s"
 
 
-def residuals_against_tests(check):
-    slowest, measured = check.value("from_velocity_mps", NUMBER), False
+def limit_against_paper(check):
+    for plate in check.plates():
+        limit = check.limit(*plate)["bisection_limit_mps"]
+        paper = check.tests.paper_velocity_mps(check.value("metal", str), *plate)
+        if paper is None:
+            raise Missing(f"no velocity of the paper, {plate_text(*plate)}")
+        yield percent_of(limit, paper), f"{short(limit)} m/s, paper {short(paper)} m/s"
+
+
+def measured_shots(check, *models):
+    """(initial velocity, measured residual velocity, those computed with each law) of the measured shots of a check."""
+    slowest, fastest = check.value("from_velocity_mps", NUMBER), check.value("up_to_velocity_mps") or math.inf
+    found = []
     for plate in check.plates():
         for test in check.tests.shots_of(check.value("metal", str), *plate):
-            velocity, residual = test["initial_velocity_mps"], test["residual_velocity_mps"]
-            if velocity < slowest:
+            velocity = test["initial_velocity_mps"]
+            if not slowest <= velocity <= fastest:
                 continue
-            found = [s for s in check.shots(*plate) if close(s["initial_velocity_mps"], velocity, 0.05)]
-            if not found:
+            shots = [next((s for s in check.shots(*plate, model) if close(s["initial_velocity_mps"], velocity, 0.05)), None)
+                     for model in models]
+            if None in shots:
                 raise Missing(f"no shot at {short(velocity)} m/s, {plate_text(*plate)}")
-            computed, measured = found[0]["residual_velocity_mps"], True
-            yield computed - residual, (f"{short(computed)} m/s, test {short(residual)} m/s, at {short(velocity)} m/s, the "
-                                        "farthest off")
-    if not measured:
-        raise Missing(f"no test at {short(slowest)} m/s or faster")
+            found.append((velocity, test["residual_velocity_mps"], *(shot["residual_velocity_mps"] for shot in shots)))
+    if not found:
+        raise Missing(f"no test from {short(slowest)} m/s on")
+    return found
+
+
+def residuals_against_tests(check):
+    for velocity, test, computed in measured_shots(check, check.value("model", str)):
+        yield computed - test, f"{short(computed)} m/s, test {short(test)} m/s, at {short(velocity)} m/s"
+
+
+def nearer_law(check):
+    """The error of one law minus that of another: negative where the first is nearer to the test."""
+    model, other = check.value("model", str), check.value("than", str)
+    for velocity, test, a, b in measured_shots(check, model, other):
+        yield abs(a - test) - abs(b - test), (f"{model} {short(a)} m/s, {other} {short(b)} m/s, test {short(test)} m/s, at "
+                                              f"{short(velocity)} m/s")
 
 
 def limits_rise(check):
@@ -121,7 +144,7 @@ def projectile_mass(check):
                  if row["nose"] == nose and close(row["spacing_mm"], spacing_mm)]
         if not found:
             raise Missing(f"no shot with the {nose} nose")
-        yield percent_of(found[0], mass_g), f"{nose}, {short(found[0])} g, the farthest off"
+        yield percent_of(found[0], mass_g), f"{nose}, {short(found[0])} g, the largest error"
 
 
 def fit_row(check, parameter):
@@ -138,25 +161,10 @@ def fit_constant(check):
         check.refuse("reference", "must be as many as parameter")
     for parameter, reference in zip(parameters, references):
         row = fit_row(check, parameter)
-        value, error = row["value"], row["standard_error"]
-        in_percent = check.bounds[0].unit == "percent"
-        if not in_percent and not error:
+        if not row["standard_error"]:
             raise Missing(f"no standard error of {parameter}")
-        yield (percent_of(value, reference) if in_percent else (value - reference) / error,
-               f"{parameter} = {short(value)}, reference {short(reference)}")
-
-
-def fit_stress(check):
-    """Stress of the fitted modified law at room temperature against that of another one."""
-    def stress(constants, strain, rate):
-        return (constants["A_MPa"] + constants["B_MPa"] * strain**constants["a"]) * rate**constants["C"]
-
-    ours = {name: fit_row(check, name)["value"] for name in ("A_MPa", "B_MPa", "a", "C")}
-    reference = {name: check.value(name, NUMBER) for name in ours}
-    for strain, rate in itertools.product(check.several("plastic_strain", NUMBER), check.several("rate_per_s", NUMBER)):
-        a, b = stress(ours, strain, rate), stress(reference, strain, rate)
-        yield percent_of(a, b), (f"{short(a)} MPa, reference {short(b)} MPa, at {short(strain)} and {short(rate)} 1/s, the "
-                                 "farthest off")
+        yield ((row["value"] - reference) / row["standard_error"],
+               f"{parameter} = {short(row['value'])}, reference {short(reference)}")
 
 
 def fit_misfit(check):
@@ -174,7 +182,9 @@ def picture(check):
 PLATE = ("metal", "nose", "thickness_mm")
 KINDS = {
     "limit_against_test": (limit_against_test, ("percent",), PLATE, ("widest_bracket_mps",)),
-    "residuals_against_tests": (residuals_against_tests, ("mps",), (*PLATE, "from_velocity_mps"), ()),
+    "limit_against_paper": (limit_against_paper, ("percent",), PLATE, ("widest_bracket_mps",)),
+    "residuals_against_tests": (residuals_against_tests, ("mps",), (*PLATE, "from_velocity_mps"), ("up_to_velocity_mps",)),
+    "nearer_law": (nearer_law, ("mps",), (*PLATE, "than", "from_velocity_mps"), ("up_to_velocity_mps",)),
     "limits_rise": (limits_rise, ("mps",), PLATE, ("widest_bracket_mps",)),
     "limits_differ": (limits_differ, ("percent",), PLATE, ("widest_bracket_mps",)),
     "every_row": (every_row, None, ("quantity",), ("per",)),
@@ -183,8 +193,7 @@ KINDS = {
     "shots_compared": (shots_compared, None, ("metal", "nose", "quantity", "larger_at_mm", "smaller_at_mm"), ()),
     "particle_count": (particle_count, ("percent",), (*PLATE, "disc_radius_mm"), ()),
     "projectile_mass": (projectile_mass, ("percent",), ("nose", "mass_g"), ()),
-    "fit_constant": (fit_constant, ("standard_errors", "percent"), ("fit", "parameter", "reference"), ()),
-    "fit_stress": (fit_stress, ("percent",), ("fit", "plastic_strain", "rate_per_s", "A_MPa", "B_MPa", "a", "C"), ()),
+    "fit_constant": (fit_constant, ("standard_errors",), ("fit", "parameter", "reference"), ()),
     "fit_misfit": (fit_misfit, ("percent",), ("fit",), ()),
     "picture": (picture, (), ("file",), ()),
 }

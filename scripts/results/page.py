@@ -1,5 +1,5 @@
 """The page of results: index.html, which opens from the disk, beside it the pictures, data/*.csv with what was computed
-and run_record.* with how. Nothing is judged here: see checks.py."""
+and run_record.* with how. Nothing is judged here: see checks.py and verdicts.py."""
 
 import json
 import os
@@ -14,10 +14,11 @@ import markdown
 from markupsafe import Markup
 
 from . import data
-from .checks import BEYOND, CHECKS, FACTS, run_checks, status_of_figure, summary
+from .checks import FILES, QUESTIONS, run_checks
 from .data import (KEY_COLUMNS, LAWS, PROGRAMS, RECORD_COLUMNS, ROOT, InputError, close, csv_text, ended_by_time,
                    half_width_mps, is_on_rings, of_plate, percent_of, plate_of, short, stale_limits, write_text)
 from .kinds import shot_text
+from .verdicts import headline, of_figure, of_method, read_facts, summary, verdicts_of
 
 
 class Table(NamedTuple):
@@ -40,23 +41,23 @@ class Page:
     """All that was read, the results of the checks, and the tables that the template lays out."""
 
     def __init__(self, folder, checks, spacing_mm=None):
-        self.results, self.tests, self.facts = data.Results(folder), data.Tests(), read_facts(FACTS)
-        self.usual_mm = data.read_toml(checks).get("defaults", {}).get("spacing_mm", 0)
+        self.results, self.tests, self.facts = data.Results(folder), data.Tests(), read_facts()
+        self.usual_mm = data.read_toml(checks[0]).get("defaults", {}).get("spacing_mm", 0)
         self.spacing_mm = self.usual_mm if spacing_mm is None else spacing_mm
-        self.checks = run_checks(self.results, self.tests, checks, self.spacing_mm)
         self.late_shots = "; ".join(f"{shot_text(s)}: {short(s['residual_velocity_mps'])} m/s" for s in self.results.shots
                                     if ended_by_time(s))
         self.methods = sorted({row["method"] for row in self.results.shots})
         self.beyond_methods = [method for method in self.methods if method != "paper"]
-        self.beyond = [r for r in run_checks(self.results, self.tests, BEYOND, self.spacing_mm)
-                       if r.id.partition("_")[0] in self.beyond_methods]
+        results = run_checks(self.results, self.tests, checks, self.spacing_mm)
+        self.checks = of_method(results, "paper")
+        self.beyond = [r for r in results if r.method in self.beyond_methods]
 
     def on_rings(self):
         """The versions of the paper's shots whose particles lie on rings instead of the paper's cubic lattice."""
         return sorted({s.get("version") or "unknown" for s in self.results.shots if is_on_rings(s)})
 
-    def checks_of(self, figure):
-        return [result for result in self.checks if figure in result.figures]
+    def checks_of(self, figure, method="paper"):
+        return of_figure(of_method([*self.checks, *self.beyond], method), figure)
 
     def limit(self, plate, model, method="paper"):
         return next(iter(of_plate(self.results.limits, *plate, model, method, self.spacing_mm)), None)
@@ -86,31 +87,29 @@ class Page:
         return "; ".join(f"{short(row['thickness_mm'])} mm, {short(row['initial_velocity_mps'])} m/s"
                          for row, shot in self.picture_shots(figure) if shot is None)
 
-    def scoreboard(self):
-        """(fact, status, check that decides, cost) for each figure, and for all runs where they are checked."""
-        def cost(fact):
-            if "runs_of" in fact:
-                return f"with Fig.\u00a0{fact['runs_of']}"
-            minutes = self.core_minutes(self.shots_of_figure(fact["number"]))
-            return short(minutes, 2) if minutes else "–"
+    def cost(self, fact):
+        """Processor time of the shots of a figure, min."""
+        if "runs_of" in fact:
+            return f"with Fig.\u00a0{fact['runs_of']}"
+        minutes = self.core_minutes(self.shots_of_figure(fact["number"]))
+        return short(minutes, 2) if minutes else "–"
 
-        rows = [(fact, *status_of_figure(self.checks_of(fact["number"])), cost(fact)) for fact in self.facts]
-        if self.checks_of(0):
-            word, decides = status_of_figure(self.checks_of(0))
-            rows.append(({"number": 0, "title": "Every run: energy and contact"},
-                         {"reproduced": "pass", "partly": "FAIL", "not": "FAIL"}.get(word, word), decides,
-                         short(self.core_minutes(self.results.shots), 3)))
-        return rows
-
-    def tally(self, results):
-        passed, missing = (sum(r.status == word for r in results) for word in ("pass", "missing"))
-        return f"{passed} of {len(results)} checks" + (f", {missing} without data" if missing else "")
+    def scoreboard(self, method="paper"):
+        """(fact, verdicts, headline, cost) of each figure that a method has checks for, and of all runs; all figures of
+        the paper's method."""
+        facts = [*self.facts, {"number": 0, "title": "Every run: energy and contact"}]
+        found = [(fact, self.checks_of(fact["number"], method)) for fact in facts]
+        return [(fact, verdicts_of(results), headline(fact, results),
+                 self.cost(fact) if fact["number"] else short(self.core_minutes(self.results.shots), 3))
+                for fact, results in found if results or (fact["number"] and method == "paper")]
 
     def counted(self):
-        words = [row[1] for row in self.scoreboard() if row[0]["number"]]
-        return ", ".join(f"{words.count(word)} {text}" for word, text in (
-            ("reproduced", "reproduced"), ("partly", "partly reproduced"), ("not", "not reproduced"),
-            ("not run yet", "not run yet")) if word in words)
+        """How many figures agree with the paper, the tests and so on: (question, text)."""
+        for question, text in QUESTIONS.items():
+            words = [verdicts[question].word for fact, verdicts, *_ in self.scoreboard() if fact["number"]]
+            yield text, ", ".join(f"{words.count(word)} {plural}" for word, plural in (
+                ("agrees", "agree"), ("partly", "partly"), ("differs", "differ"), ("not run yet", "not run yet"))
+                if word in words) or "no checks"
 
     def constants(self, fact):
         """Fitted constants beside published ones. Both laws: a is n, b is m."""
@@ -148,7 +147,7 @@ class Page:
             test, paper = self.tests.limit_mps(*plate), self.tests.paper_velocity_mps(*plate)
             rows.append([plate_name(plate), short(test), *(c for model in LAWS for c in self._limit_cells(plate, model)),
                          short(paper), signed(percent_of(paper, test))])
-        return Table(["plate", "test, m/s", "MJC, m/s", "off, %", "JC, m/s", "off, %", "paper*, m/s", "off, %"], rows,
+        return Table(["plate", "test, m/s", "MJC, m/s", "error, %", "JC, m/s", "error, %", "paper*, m/s", "error, %"], rows,
                      range(1, 8))
 
     def sources_of_tests(self, fact):
@@ -168,7 +167,7 @@ class Page:
                     computed = row and row["residual_velocity_mps"]
                     cells += [fixed(computed), signed(None if computed is None else computed - residual)]
                 rows.append(cells)
-        return Table(["plate", "initial, m/s", "test, m/s", "MJC, m/s", "off, m/s", "JC, m/s", "off, m/s"], rows,
+        return Table(["plate", "initial, m/s", "test, m/s", "MJC, m/s", "error, m/s", "JC, m/s", "error, m/s"], rows,
                      range(1, 7))
 
     def table_of_picture(self, fact):
@@ -203,7 +202,7 @@ class Page:
                          short(r["fit_points"]) if r["fit_points"] else "–", short(test), signed(percent_of(limit, test)),
                          short(paper), signed(percent_of(paper, test))])
         return Table(["plate", "law", "bisection, m/s", "fit v_bl, m/s", "a", "p", "fit − bisection, m/s", "shots",
-                      "test, m/s", "off, %", "paper, m/s", "off, %"], rows, range(2, 12))
+                      "test, m/s", "error, %", "paper, m/s", "error, %"], rows, range(2, 12))
 
     def beyond_limits(self):
         methods = ["paper", *self.beyond_methods]
@@ -211,10 +210,10 @@ class Page:
         rows = [[plate_name(plate), short(self.tests.limit_mps(*plate)),
                  *(cell for method in methods for cell in self._limit_cells(plate, "mjc", method))]
                 for plate in sorted(plates, key=steel_first)]
-        heads = [text for method in ("paper's method", *methods[1:]) for text in (f"{method}, m/s", "off, %")]
+        heads = [text for method in ("paper's method", *methods[1:]) for text in (f"{method}, m/s", "error, %")]
         return Table(["plate", "test, m/s", *heads], rows, range(1, 2 + len(heads)))
 
-    def cost(self, method):
+    def cost_ratio(self, method):
         """Processor time of a method's shots over that of the paper's method for the same shots; None without any."""
         def seconds(method):
             return {s.key(KEY_COLUMNS[1:]): s["cpu_s"] for s in self.results.shots
@@ -231,15 +230,6 @@ def plate_name(plate):
 
 def steel_first(plate):
     return plate[0] != "Weldox 460 E", *plate[1:]
-
-
-def read_facts(file):
-    facts = data.read_toml(file).get("figure", [])
-    for fact in facts:
-        for name in ("number", "title", "shows", "pictures", "paper", "short"):
-            if name not in fact:
-                raise InputError(f"{file}: figure {fact.get('number', '?')}: {name}: is required")
-    return facts
 
 
 def document(name, link_prefix):
@@ -324,11 +314,11 @@ def link_prefix_of(out):
     return relative.replace(os.sep, "/") + "/" if out.resolve().is_relative_to(ROOT) else None
 
 
-def make_page(folder, out, checks=CHECKS, spacing_mm=None):
+def make_page(folder, out, checks=None, spacing_mm=None):
     """Makes the page of the results in `folder`."""
     if out.resolve() == folder.resolve():
         raise InputError(f"OUT = {out}: must not be the folder with the results")
-    page = Page(folder, checks, spacing_mm)
+    page = Page(folder, checks or FILES, spacing_mm)
     out.mkdir(parents=True, exist_ok=True)
     write_tables(page.results, out)
     record = run_record(page, out / "run_record.json")
@@ -338,10 +328,11 @@ def make_page(folder, out, checks=CHECKS, spacing_mm=None):
                                      trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
     environment.filters["short"] = short
     environment.globals.update(summary=summary, shot_text=shot_text, stale_limits=stale_limits,
-                               status_of_figure=status_of_figure, document=lambda name: document(name, prefix))
+                               questions=QUESTIONS, verdicts_of=verdicts_of, headline=headline,
+                               document=lambda name: document(name, prefix))
     write_text(out / "index.html", environment.get_template("page.html").render(page=page, pictures=pictures, record=record,
                                                                                 prefix=prefix) + "\n")
     for line in stale_limits(page.results):
         print(f"results: {line}", file=sys.stderr)
     print(f"{out / 'index.html'}: {len(page.results.shots)} shots, {len(pictures)} pictures, checks: "
-          f"{summary(page.checks)}")
+          f"{summary([*page.checks, *page.beyond])}")
