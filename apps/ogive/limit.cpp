@@ -21,8 +21,8 @@ namespace commands {
 namespace {
 
 struct LimitOptions {
-  double width_mps = 5; ///< of the bracket
-  int repeats = 1;      ///< searches, each with an arrangement of its own
+  double width_mps = 5;        ///< of the bracket
+  int repeats = 1;             ///< searches, each with an arrangement of its own
   std::filesystem::path check; ///< a record to compare with; empty: none
   bool run = true;
 };
@@ -108,11 +108,11 @@ void finish_repeats(const std::vector<study::Series> &series, double width_mps, 
               all.mean + *all.half_interval);
   std::printf("  %-22s %s\n", "file", (out / "repeats.csv").c_str());
   const auto text = [](double value) { return ogive::with_decimals(value, 2); };
-  ogive::write_atomically(out / "repeats.csv",
-                          "repeats,mean_mps,standard_deviation_mps,interval_low_mps,interval_high_mps\n" +
-                              study::csv_line({std::to_string(all.repeats), text(all.mean), text(*all.deviation),
-                                               text(all.mean - *all.half_interval),
-                                               text(all.mean + *all.half_interval)}));
+  ogive::write_atomically(
+      out / "repeats.csv",
+      "repeats,mean_mps,standard_deviation_mps,interval_low_mps,interval_high_mps\n" +
+          study::csv_line({std::to_string(all.repeats), text(all.mean), text(*all.deviation),
+                           text(all.mean - *all.half_interval), text(all.mean + *all.half_interval)}));
 }
 
 /// Prints the fit, writes OUT/limits.csv and draws; with the tests of `tested`.

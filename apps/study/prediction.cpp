@@ -89,8 +89,9 @@ Prediction read_prediction(const std::filesystem::path &file, const std::string 
   if (!record.is_object() || !record.contains("hash") || !record["hash"].is_string())
     options::refuse(origin, file.string(), "must be a prediction.json of ogive limit");
   if (const std::string hash = hash_of(record); hash != record["hash"])
-    options::refuse(origin, file.string(), "was changed after it was written: its hash is " + hash + ", not " +
-                                               record["hash"].get<std::string>());
+    options::refuse(origin, file.string(),
+                    "was changed after it was written: its hash is " + hash + ", not " +
+                        record["hash"].get<std::string>());
   return {text, file.string()};
 }
 

@@ -143,8 +143,9 @@ TEST_CASE("bands of shear widen as the conductivity of each plate lets them") {
   CHECK(widths_mm({"--material", m.steel.c_str()})[0] == Approx(0.03358).epsilon(1e-3));
   metal.thermal_conductivity = 0;
   write(m.steel, materials::to_toml(metal, ""));
-  const std::string doubt = ": has no specific heat or no thermal_conductivity_W_per_mK, so that no bands of shear form "
-                            "and plugs are held too long";
+  const std::string doubt =
+      ": has no specific heat or no thermal_conductivity_W_per_mK, so that no bands of shear form "
+      "and plugs are held too long";
   const auto says_so = [&](const Options &o) {
     const auto doubts = doubts_of(o, plates_of(o));
     return std::any_of(doubts.begin(), doubts.end(), [&](const auto &text) { return text.ends_with(doubt); });

@@ -6,9 +6,7 @@
 
 namespace {
 
-std::string outside(std::vector<const char *> arguments) {
-  return shot::outside_tested_range(options_of(arguments));
-}
+std::string outside(std::vector<const char *> arguments) { return shot::outside_tested_range(options_of(arguments)); }
 
 const std::string begin = "outside of what was compared with tests: ";
 

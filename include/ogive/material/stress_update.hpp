@@ -107,8 +107,8 @@ template <class N> struct BandStep {
   N cooling{};        ///< K, by heat that spreads
 };
 
-/// A step `dt` (s) of a band that forms in a point or is there. The mean temperature of the point, above which a band is
-/// hot, follows from its internal energy.
+/// A step `dt` (s) of a band that forms in a point or is there. The mean temperature of the point, above which a band
+/// is hot, follows from its internal energy.
 template <class T, class Law, class N>
 BandStep<N> band_step(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const ElasticTrial<N> &trial, T dt) {
   using std::max;
