@@ -62,18 +62,19 @@ template <class T, class N> N band_width(T diffusivity, N age) {
   return T(2) * sqrt(diffusivity * age);
 }
 
-/// By how much the heating of a band that is `age` (s) old exceeds that of an even particle: the particle distance over
-/// the width, at least 1. `N` is T or a pack of T.
-template <class T, class N> N heat_concentration(const ShearBand<T> &band, N age) {
+/// By how much the heat of a band that is `age` (s) old warms it above the mean of its particle, over what it adds to
+/// that mean: the particle distance over the width, less 1; 0 once the band is as wide as the particle. `N` is T or a
+/// pack of T.
+template <class T, class N> N heat_excess(const ShearBand<T> &band, N age) {
   using std::max;
-  return max(N(1), band.spacing / band_width(band.diffusivity, age));
+  return max(N(0), band.spacing / band_width(band.diffusivity, age) - T(1));
 }
 
-/// The part of its excess temperature that a band keeps while its age grows from `before` to `after` (s): the heat
-/// stays, the width grows. `N` is T or a pack of T.
-template <class N> N kept_excess(N before, N after) {
-  using std::sqrt;
-  return sqrt(before / after);
+/// The part of its temperature above the mean of the particle that a band keeps while its age grows from `before` to
+/// `after` (s): the heat stays, the width grows. 0 for a new band, which has no excess. `N` is T or a pack of T.
+template <class T, class N> N kept_excess(const ShearBand<T> &band, N before, N after) {
+  using std::max;
+  return heat_excess(band, after) / max(heat_excess(band, before), N(T(1e-30)));
 }
 
 /// How far a flow is simple shear, which bands need: 1 in simple shear, 0 in flow that is as far from it as from one

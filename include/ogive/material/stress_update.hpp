@@ -118,10 +118,10 @@ BandStep<N> band_step(const Metal<T, Law> &metal, const MaterialPoint<N> &old, c
   const auto formed = old.shear_strain >= N(metal.shear_band.onset);
   const N after = old.band_age + dt;
   step.age = select(formed, after, N(0));
-  step.concentration = T(1) + select(formed, step.share * (heat_concentration(metal.shear_band, after) - T(1)), N(0));
+  step.concentration = T(1) + select(formed, step.share * heat_excess(metal.shear_band, after), N(0));
   const N mean = metal.room_temperature + metal.taylor_quinney / metal.specific_heat * old.internal_energy;
   const N excess = max(N(0), old.temperature - mean);
-  step.cooling = select(formed, excess * (T(1) - kept_excess(old.band_age, after)), N(0));
+  step.cooling = select(formed, excess * (T(1) - kept_excess(metal.shear_band, old.band_age, after)), N(0));
   return step;
 }
 
@@ -130,9 +130,12 @@ BandStep<N> band_step(const Metal<T, Law> &metal, const MaterialPoint<N> &old, c
 template <class T, class Law, class N>
 Advanced<N> flowed(const Metal<T, Law> &metal, const MaterialPoint<N> &old, const ElasticTrial<N> &trial, T dt) {
   const BandStep<N> band = band_step(metal, old, trial, dt);
-  const PlasticStep<N> plastic = radial_return(metal, old, trial.equivalent_stress, dt, band.concentration);
+  MaterialPoint<N> cooled = old;
+  cooled.temperature -= band.cooling;
+  const PlasticStep<N> plastic = radial_return(metal, cooled, trial.equivalent_stress, dt, band.concentration);
   const auto flows = plastic.increment > N(0);
   MaterialPoint<N> now = trial.point;
+  now.temperature = cooled.temperature;
   now.deviator *= select(flows, plastic.flow_stress / trial.equivalent_stress, N(1));
   now.plastic_strain += plastic.increment;
   now.shear_strain += band.share * plastic.increment;
@@ -141,7 +144,6 @@ Advanced<N> flowed(const Metal<T, Law> &metal, const MaterialPoint<N> &old, cons
   if (metal.specific_heat > T(0))
     now.temperature += band.concentration * (metal.taylor_quinney / (metal.density * metal.specific_heat)) *
                        (plastic.flow_stress * plastic.increment);
-  now.temperature -= band.cooling;
   return {now, select(flows, N(-1), plastic.flow_stress)};
 }
 
