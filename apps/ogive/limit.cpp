@@ -137,14 +137,23 @@ void finish(const std::vector<study::Series> &series, double width_mps, const st
 }
 
 /// Writes OUT/prediction.json, and prints whether it confirms an earlier one. False if it does not.
-bool finish_prediction(const study::Prediction &now, const std::optional<study::Prediction> &earlier,
-                       const std::filesystem::path &out) {
-  ogive::write_atomically(out / "prediction.json", now.text);
-  std::printf("  %-22s %s\n", "record", (out / "prediction.json").c_str());
-  if (!earlier) return true;
-  const study::Comparison comparison = study::compared(now, *earlier);
-  std::printf("  %-22s %s\n", "earlier prediction", comparison.text.c_str());
-  return comparison.confirmed;
+bool finish_prediction(const study::Study &study, const shot::Options &o, double width_mps,
+                       const std::vector<study::Series> &series, const std::optional<study::Prediction> &earlier) {
+  const auto file = study.out / "prediction.json";
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  try {
+    const study::Prediction now = study::predicted(study, o, width_mps, series);
+    ogive::write_atomically(file, now.text);
+    std::printf("  %-22s %s\n", "record", file.c_str());
+    if (!earlier) return true;
+    const study::Comparison comparison = study::compared(now, *earlier);
+    std::printf("  %-22s %s\n", "earlier prediction", comparison.text.c_str());
+    return comparison.confirmed;
+  } catch (const ogive::SetupError &error) {
+    std::printf("  %-22s none: %s\n", "record", error.what());
+    return !earlier;
+  }
 }
 
 /// The shots above a limit that show the curve.
@@ -244,8 +253,7 @@ int limit(const options::Arguments &arguments) {
     if (!complete) return;
     if (!l.run) print_bisection(series.front(), o.out);
     finish(series, l.width_mps, tested, o.out);
-    const auto rows = study::read_all_rows(o.out, own_columns);
-    confirmed = finish_prediction(study::predicted(o, l.width_mps, series, rows), earlier, o.out);
+    confirmed = finish_prediction(study, o, l.width_mps, series, earlier);
   });
   return status == options::success && !confirmed ? options::not_finished : status;
 }

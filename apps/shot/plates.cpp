@@ -220,6 +220,9 @@ std::vector<std::string> doubts_of(const Options &o, const Plates &plates) {
     if (o.damage == DamageLaw::johnson_cook) add(materials::doubts_of_damage(metal));
     if (o.damage == DamageLaw::none && o.method == Method::stabilised && !has(metal, materials::Group::strain))
       add({materials::name_of(metal) + ": has no D1 to D5, so that no damage grows and plugs are held too long"});
+    if (o.band_onset > 0 && std::visit([](const auto &m) { return ogive::instability_strain(m, 1e4) < 0.01; }, metal))
+      add({materials::name_of(metal) + ": its adiabatic flow stress falls from the first strain on, so that bands of "
+                                       "shear form wherever it is sheared"});
     if (o.band_onset > 0 && std::visit([](const auto &m) { return ogive::thermal_diffusivity(m) == 0; }, metal))
       add({materials::name_of(metal) +
            ": has no specific heat or no thermal_conductivity_W_per_mK, so that no bands of "

@@ -103,32 +103,42 @@ Resumed resumed(const Options &options) {
   }
 }
 
+std::vector<std::pair<std::string, std::string>> case_values(const Options &options) {
+  Options o = options;
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const options::Option &option : table_of(o).options) {
+    const std::string_view key = option.key;
+    const bool of_metal =
+        key == "material" || key == "layer_materials" || key == "projectile_metal" || key == "part_metals";
+    const bool of_file = key == "profile" || key == "projectile_mesh" ||
+                         (key == "projectile" && materials::is_material_file(o.projectile));
+    const bool counts = key == "settle_us" || option.group != run_group;
+    if (counts && !of_metal && !of_file) values.emplace_back(key, option.toml());
+  }
+  return values;
+}
+
+std::string all_metals_text(const Options &options) {
+  std::string text = metals_text(options, plates_of(options));
+  for (const auto &metal : projectile_metals_of(options)) text += materials::to_toml(metal, "");
+  return text;
+}
+
 std::optional<std::string> other_case(const Options &options) {
   const auto file = options.out / "case.toml";
   try {
-    Options mine = options, theirs;
+    Options theirs;
     const auto entries =
         options::entries_of(table_of(theirs), options::text_of_file(file, "case"), file.string(), toml_example);
     theirs = settled({{entries, options.out}});
-    const auto here = table_of(mine).options, there = table_of(theirs).options;
-    for (std::size_t k = 0; k < here.size(); ++k) {
-      const std::string key = here[k].key;
-      const bool of_metal =
-          key == "material" || key == "layer_materials" || key == "projectile_metal" || key == "part_metals";
-      // Labels: what they name is compared by the other keys.
-      const bool is_label = key == "profile" || key == "projectile_mesh" ||
-                            (key == "projectile" && materials::is_material_file(mine.projectile));
-      const bool counts = key == "settle_us" || here[k].group != run_group;
-      if (counts && !of_metal && !is_label && here[k].toml() != there[k].toml()) return key;
+    const auto there = case_values(theirs);
+    for (const auto &[key, value] : case_values(options)) {
+      const auto other = std::find_if(there.begin(), there.end(), [&](const auto &one) { return one.first == key; });
+      if (other != there.end() && other->second != value) return key;
     }
-    if (metals_text(mine, plates_of(mine)) != metals_text(theirs, plates_of(theirs))) return "material";
-    if (mine.own_mesh != theirs.own_mesh) return "projectile_mesh";
-    const auto text_of = [](const Options &o) {
-      std::string text;
-      for (const auto &metal : projectile_metals_of(o)) text += materials::to_toml(metal, "");
-      return text;
-    };
-    return text_of(mine) == text_of(theirs) ? "" : "projectile_metal";
+    if (metals_text(options, plates_of(options)) != metals_text(theirs, plates_of(theirs))) return "material";
+    if (options.own_mesh != theirs.own_mesh) return "projectile_mesh";
+    return all_metals_text(options) == all_metals_text(theirs) ? "" : "projectile_metal";
   } catch (const ogive::SetupError &) {
     return std::nullopt;
   }

@@ -24,6 +24,12 @@ struct Resumed {
 /// picture and terminal may differ; frames may not, the earlier ones would be missing.
 Resumed resumed(const Options &options);
 
+/// Key and value of each option that results depend on, but names of metals and files: what they name counts.
+std::vector<std::pair<std::string, std::string>> case_values(const Options &options);
+
+/// The metals of the plates and of the projectile, as text of files.
+std::string all_metals_text(const Options &options);
+
 /// What of the case in the results of `options.out` is not that of these options: "thickness_mm", "material"; empty if
 /// it is the same, nothing if there is no case that can be read. The end of the time does not count: a verdict does not
 /// depend on it.

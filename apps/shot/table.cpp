@@ -60,7 +60,7 @@ void add_plate(Table &t, Options &o) {
   add(t, o.band_onset, {.key = "band_onset",
       .meaning = "bands of adiabatic shear form at this part of the strain of instability; 0: none form",
       .source = "0.5, 0 with --method paper: ours",
-      .limits = {0, 10, ""}});
+      .limits = {0, 1, ""}});
   add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "of the plate", .source = "paper, Fig. 11",
       .brief = "thickness of the plate", .limits = {0.05, 500, "mm"}});
   add(t, o.layers_mm, {.key = "layers_mm", .meaning = "thicknesses of several plates behind each other, from front "

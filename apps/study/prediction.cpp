@@ -2,7 +2,7 @@
 #include "prediction.hpp"
 
 #include "options/toml_file.hpp"
-#include "shot/plates.hpp"
+#include "shot/resume.hpp"
 
 #include "ogive/fit/repeated_limit.hpp"
 #include "ogive/sim/hash.hpp"
@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace study {
@@ -18,35 +20,53 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string hash_of(Json record) {
+std::string hash_of(std::string_view bytes) {
+  return options::printed("%016llx", static_cast<unsigned long long>(ogive::hash_bytes(ogive::hash_start, bytes)));
+}
+
+/// Texts of users may have bytes that are not UTF-8.
+std::string dumped(const Json &json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string hash_of_record(Json record) {
   record.erase("hash");
-  return options::printed("%016llx",
-                          static_cast<unsigned long long>(ogive::hash_bytes(ogive::hash_start, record.dump())));
+  return hash_of(dumped(record));
 }
 
-/// The case without what changes no result.
-Json inputs(const shot::Options &options, double width_mps) {
-  shot::Options o = options;
-  const shot::Options usual;
-  o.out = "OUT", o.threads.reset(), o.vtk = usual.vtk, o.picture = usual.picture, o.quiet = usual.quiet;
-  o.output_every_us = usual.output_every_us, o.checkpoint_every_us = usual.checkpoint_every_us;
-  return {{"case", to_complete_toml(o)}, {"metals", metals_text(o, plates_of(o))}, {"width_mps", width_mps}};
+/// All that the limit follows from.
+Json inputs(const shot::Options &o, double width_mps) {
+  Json all{{"width_mps", width_mps}};
+  for (const auto &[key, value] : shot::case_values(o))
+    if (key != "velocity_mps" && key != "seed") all[key] = value;
+  all["metals"] = shot::all_metals_text(o);
+  if (o.own_mesh.read) all["mesh_hash"] = hash_of(o.own_mesh.read->bytes);
+  return all;
 }
 
-Json search_of(const Series &series, const std::vector<Row> &rows) {
-  Json shots = Json::array();
-  for (const Row &row : rows) {
-    if (series_key(row.key) != series.key || is_undecided(row)) continue;
-    shots.push_back({{"velocity_mps", row.key.values[velocity_column]},
-                     {"perforated", text_of(row, "perforated") == "1"},
-                     {"residual_velocity_mps", text_of(row, "residual_velocity_mps")},
-                     {"state_hash", text_of(row, "state_hash")}});
-  }
-  Json search{{"seed", series.options.seed}};
+/// A row with the hash of the state that its results have; throws if they are not there.
+Json shot_on_record(const Study &study, const Series &series, const Row &row) {
+  const Case shot = shot_of(series, number(row.key, velocity_column), study.own_columns);
+  const auto folder = folder_of(study, shot);
+  if (const std::string reason = conflict(study, shot); !reason.empty()) throw ogive::SetupError(reason);
+  if (read_summary(folder).value("state_hash", "") != text_of(row, "state_hash"))
+    throw ogive::SetupError(folder.string() + ": holds no results of the row of this shot");
+  return {{"velocity_mps", row.key.values[velocity_column]},
+          {"perforated", text_of(row, "perforated") == "1"},
+          {"residual_velocity_mps", text_of(row, "residual_velocity_mps")},
+          {"state_hash", text_of(row, "state_hash")}};
+}
+
+Json search_of(const Study &study, const Series &series, const std::vector<Row> &rows, double width_mps) {
   const auto limits = limits_in({series}, rows);
-  if (const auto limit = limits.empty() ? std::nullopt : ogive::limit_estimate(limits.front().bracket))
-    search["limit_mps"] = limit->limit, search["half_width_mps"] = limit->half_width;
-  search["shots"] = shots;
+  const auto limit = limits.empty() ? std::nullopt : ogive::limit_estimate(limits.front().bracket);
+  if (!limit || 2 * limit->half_width > width_mps * (1 + 1e-9))
+    throw ogive::SetupError("a limit is not known to " + options::shortest(width_mps) + " m/s");
+  Json search{
+      {"seed", series.options.seed}, {"limit_mps", limit->limit}, {"half_width_mps", limit->half_width}, {"shots", {}}};
+  for (const Row &row : rows)
+    if (series_key(row.key) == series.key && !is_undecided(row))
+      search["shots"].push_back(shot_on_record(study, series, row));
   return search;
 }
 
@@ -64,66 +84,72 @@ std::string first_difference(const std::string &now, const std::string &then) {
 
 } // namespace
 
-Prediction predicted(const shot::Options &o, double width_mps, const std::vector<Series> &series,
-                     const std::vector<Row> &rows) {
-  Json record{{"ogive", ogive::version}};
-  record.update(inputs(o, width_mps));
+Prediction predicted(const Study &study, const shot::Options &o, double width_mps, const std::vector<Series> &series) {
+  const auto rows = read_all_rows(study.out, study.own_columns);
+  Json record{{"ogive", ogive::version}, {"inputs", inputs(o, width_mps)}};
   std::vector<ogive::LimitEstimate<double>> limits;
   for (const Series &one : series) {
-    record["searches"].push_back(search_of(one, rows));
+    record["searches"].push_back(search_of(study, one, rows, width_mps));
     const Json &found = record["searches"].back();
-    if (found.contains("limit_mps")) limits.push_back({found["limit_mps"], found["half_width_mps"]});
+    limits.push_back({found["limit_mps"], found["half_width_mps"]});
   }
   if (limits.size() > 1) {
     const auto all = ogive::repeated_limit(limits);
     record["mean_mps"] = all.mean, record["standard_deviation_mps"] = *all.deviation;
     record["interval_90_percent_mps"] = {all.mean - *all.half_interval, all.mean + *all.half_interval};
   }
-  record["hash"] = hash_of(record);
-  return {record.dump(2) + "\n", {}};
+  record["hash"] = hash_of_record(record);
+  return {dumped(record, 2) + "\n"};
 }
 
 Prediction read_prediction(const std::filesystem::path &file, const std::string &origin) {
   const std::string text = options::text_of_file(file, origin, "JSON");
-  const Json record = Json::parse(text, nullptr, false);
-  if (!record.is_object() || !record.contains("hash") || !record["hash"].is_string())
-    options::refuse(origin, file.string(), "must be a prediction.json of ogive limit");
-  if (const std::string hash = hash_of(record); hash != record["hash"])
-    options::refuse(origin, file.string(),
-                    "was changed after it was written: its hash is " + hash + ", not " +
-                        record["hash"].get<std::string>());
+  // No record is nested deeper.
+  const Json record =
+      Json::parse(text, [](int depth, Json::parse_event_t, Json &) { return depth < 8; }, false);
+  const std::string allowed = "must be a prediction.json of ogive limit";
+  try {
+    if (const std::string hash = hash_of_record(record); hash != record.at("hash").get<std::string>())
+      options::refuse(origin, file.string(),
+                      allowed + ", unchanged: its hash is " + hash + ", not " + record["hash"].get<std::string>());
+    if (!record.at("inputs").is_object() || record.at("searches").empty())
+      options::refuse(origin, file.string(), allowed);
+    for (const Json &search : record["searches"])
+      if (!search.at("seed").is_number() || !search.at("limit_mps").is_number() ||
+          !search.at("half_width_mps").is_number() || !search.at("shots").is_array())
+        options::refuse(origin, file.string(), allowed);
+  } catch (const nlohmann::json::exception &) {
+    options::refuse(origin, file.string(), allowed);
+  }
   return {text, file.string()};
 }
 
 void require_same_case(const Prediction &prediction, const shot::Options &o, double width_mps,
                        const std::string &origin) {
-  const Json then = Json::parse(prediction.text), now = inputs(o, width_mps);
-  for (const auto &[key, value] : now.items()) {
-    if (value == then.value(key, Json())) continue;
-    const auto text = [](const Json &any) { return any.is_string() ? any.get<std::string>() : any.dump(); };
-    options::refuse(origin, prediction.file,
-                    "is of another case: " + first_difference(text(value), text(then.value(key, Json()))));
-  }
+  const Json record = Json::parse(prediction.text), now = Json::parse(dumped(inputs(o, width_mps)));
+  const Json &then = record["inputs"];
+  const auto text = [](const Json &any) { return any.is_string() ? any.get<std::string>() : dumped(any); };
+  for (const auto &[key, value] : now.items())
+    if (const Json other = then.value(key, Json()); value != other)
+      options::refuse(origin, prediction.file,
+                      "must be of this case: " + key + " is " + first_difference(text(value), text(other)));
 }
 
 Comparison compared(const Prediction &now, const Prediction &earlier) {
   const Json a = Json::parse(now.text), b = Json::parse(earlier.text);
   Comparison result;
   int same = 0, shots = 0;
-  for (const Json &then : b["searches"])
-    for (const Json &search : a["searches"]) {
-      if (search["seed"] != then["seed"]) continue;
-      for (const Json &shot : then["shots"])
-        ++shots, same += std::count(search["shots"].begin(), search["shots"].end(), shot) > 0;
-      if (!search.contains("limit_mps") || !then.contains("limit_mps")) {
-        result.confirmed = result.confirmed && !then.contains("limit_mps");
-        continue;
-      }
-      const double apart = std::abs(search["limit_mps"].get<double>() - then["limit_mps"].get<double>());
-      const double widths = search["half_width_mps"].get<double>() + then["half_width_mps"].get<double>();
-      result.confirmed = result.confirmed && apart <= widths * (1 + 1e-9);
-    }
-  result.confirmed = result.confirmed && shots > 0;
+  for (const Json &then : b["searches"]) {
+    const auto &all = a["searches"];
+    const auto search =
+        std::find_if(all.begin(), all.end(), [&](const Json &one) { return one["seed"] == then["seed"]; });
+    if (search == all.end()) return {"not confirmed: seed " + dumped(then["seed"]) + " was not searched", false};
+    for (const Json &shot : then["shots"])
+      ++shots, same += std::count((*search)["shots"].begin(), (*search)["shots"].end(), shot) > 0;
+    const double apart = std::abs((*search)["limit_mps"].get<double>() - then["limit_mps"].get<double>());
+    const double widths = (*search)["half_width_mps"].get<double>() + then["half_width_mps"].get<double>();
+    result.confirmed = result.confirmed && apart <= widths * (1 + 1e-9);
+  }
   result.text = std::string(result.confirmed ? "confirmed" : "not confirmed") +
                 options::printed(", %d of %d shots bit-identical", same, shots);
   return result;

@@ -5,7 +5,8 @@
 
 /// \file
 /// A ballistic limit on record: what was computed, from what, by which version, under one hash. Filed before a test it
-/// shows later that the prediction came first and can be repeated.
+/// can be repeated afterwards. The hash guards against accidents; that a record is the older one follows from where it
+/// was filed.
 
 namespace study {
 
@@ -15,9 +16,9 @@ struct Prediction {
   std::string file{}; ///< that it was read from
 };
 
-/// The record of a limit that was searched with all `series`, which differ in their seed, to `width_mps`.
-Prediction predicted(const shot::Options &o, double width_mps, const std::vector<Series> &series,
-                     const std::vector<Row> &rows);
+/// The record of a limit that was searched with all `series`, which differ in their seed, to `width_mps`. Throws
+/// SetupError if a limit is not known to that width, or if a row of its shots has no results of this case beside it.
+Prediction predicted(const Study &study, const shot::Options &o, double width_mps, const std::vector<Series> &series);
 
 /// Reads a record. Throws SetupError, which names `origin`, if it cannot be read or its hash is not that of its text.
 Prediction read_prediction(const std::filesystem::path &file, const std::string &origin);
@@ -29,7 +30,7 @@ void require_same_case(const Prediction &prediction, const shot::Options &o, dou
 /// What came of the search beside the record.
 struct Comparison {
   std::string text;      ///< one line
-  bool confirmed = true; ///< each limit lies within the widths of both brackets
+  bool confirmed = true; ///< the bracket of each recorded limit overlaps with the one found now
 };
 
 /// Compares two records of one case.

@@ -1,8 +1,10 @@
 """The sweeps behind the tables of docs/: lists of cases in bench/cases with options for all of them, run by `ogive sweep`
 in folders below vtk_out/bench. Cases that a folder holds already are not run again. The rows of limits are kept in
-bench/rows, so that a search goes on from them on another machine; after a change of the method they must be deleted."""
+bench/rows, so that a search resumes from them on another machine. They count while options, list and material files are
+the same; after a change of the method they must be deleted."""
 
 import csv
+import hashlib
 import re
 import shutil
 import subprocess
@@ -74,20 +76,41 @@ def is_of_limits(sweep):
     return "--limit" in sweep.options.split()
 
 
+def recipe(sweep):
+    """A hash of options, list and material files of a sweep."""
+    _, records = read_records(CASES / f"{sweep.cases}.csv")
+    files = sorted({field for _, fields in records for field in fields if field.endswith(".toml")} - METALS.keys())
+    parts = [sweep.options.encode(), *(path.read_bytes() for path in [CASES / f"{sweep.cases}.csv",
+                                                                       *(CASES / name for name in files)])]
+    return hashlib.sha256(b"\n".join(parts)).hexdigest()
+
+
+def kept(sweep, name):
+    """A file of the kept rows; None if there is none or they were made by another recipe."""
+    folder = KEPT / sweep.folder
+    same = (folder / "recipe.txt").exists() and (folder / "recipe.txt").read_text().strip() == recipe(sweep)
+    return folder / name if same and (folder / name).exists() else None
+
+
 def take_kept(sweep):
     """Puts the kept rows where the folder of a sweep of limits has none."""
-    kept, rows = KEPT / sweep.folder / "shots.csv", FOLDER / sweep.folder / "shots.csv"
-    if is_of_limits(sweep) and kept.exists() and not rows.exists():
+    rows = FOLDER / sweep.folder / "shots.csv"
+    if is_of_limits(sweep) and kept(sweep, "shots.csv") and not rows.exists():
         rows.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(kept, rows)
+        shutil.copy(kept(sweep, "shots.csv"), rows)
 
 
 def keep(sweep):
-    """Keeps the rows of a sweep of limits."""
+    """Keeps the rows of a sweep of limits, unless more of them are kept."""
+    folder, target = FOLDER / sweep.folder, KEPT / sweep.folder
+    rows, earlier = folder / "shots.csv", kept(sweep, "shots.csv")
+    if not is_of_limits(sweep) or not rows.exists() or (earlier and len(texts(earlier)) > len(texts(rows))):
+        return
+    target.mkdir(parents=True, exist_ok=True)
     for name in ("shots.csv", "limits.csv"):
-        if is_of_limits(sweep) and (FOLDER / sweep.folder / name).exists():
-            (KEPT / sweep.folder).mkdir(parents=True, exist_ok=True)
-            shutil.copy(FOLDER / sweep.folder / name, KEPT / sweep.folder / name)
+        if (folder / name).exists():
+            shutil.copy(folder / name, target / name)
+    write_text(target / "recipe.txt", recipe(sweep) + "\n")
 
 
 def run(sweep, jobs=None):
@@ -126,8 +149,7 @@ def limit_rows(sweep):
     options except the velocity: that of a case has its values, and in columns that it leaves empty none that others of the
     list give. With --vary a case has several."""
     file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
-    if not file.exists():
-        file = KEPT / sweep.folder / "limits.csv"
+    file = file if file.exists() else kept(sweep, "limits.csv") or file
     columns = [column for column in listed[0] if column not in ("name", "text", "velocity_mps")]
     for case in listed:
         case.update({column: Path(case[column]).name for column in PATHS & case.keys()})
@@ -144,9 +166,9 @@ def limit_rows(sweep):
 def versions(sweep):
     """Of the shots that have been run."""
     folder = FOLDER / sweep.folder
-    found = {read_json(summary)["version"] for summary in folder.glob("shots/*/summary.json")}
-    kept = KEPT / sweep.folder / "shots.csv"
-    return found or ({row["version"] for row in texts(kept)} if kept.exists() else set())
+    rows = (folder / "shots.csv") if (folder / "shots.csv").exists() else kept(sweep, "shots.csv")
+    return {read_json(summary)["version"] for summary in folder.glob("shots/*/summary.json")} | {
+        row["version"] for row in (texts(rows) if rows else [])}
 
 
 def limits(sweep):

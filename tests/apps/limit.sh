@@ -42,22 +42,28 @@ grep -q "^  files  *whole/shots.csv, whole/limits.csv$" whole.out || fail "no fi
 
 # The record of the prediction confirms the same search, refuses another case, and shows that it was changed.
 grep -q "^  record  *whole/prediction.json$" whole.out || fail "no record: $(cat whole.out)"
-mkdir checked
-cp whole/shots.csv checked
 limit checked --check whole/prediction.json > checked.out || fail "status $?: $(cat checked.out)"
 shots=$(grep -c state_hash whole/prediction.json)
 [ "$shots" -eq $(($(wc -l < whole/shots.csv) - 1)) ] || fail "$shots shots in the record"
 grep -q "^  earlier prediction  *confirmed, $shots of $shots shots bit-identical$" checked.out || fail "$(cat checked.out)"
+# Rows alone are no prediction: they may be of another case.
+mkdir rows
+cp whole/shots.csv rows
+status=0
+limit rows --check whole/prediction.json > rows.out || status=$?
+[ "$status" -eq 3 ] || fail "rows alone: status $status"
+grep -q "^  record  *none: rows/shots/.*: " rows.out || fail "$(cat rows.out)"
+[ ! -e rows/prediction.json ] || fail "rows alone make a record"
 status=0
 limit other --thickness-mm 4.2 --check whole/prediction.json 2> other.err || status=$?
 [ "$status" -eq 2 ] || fail "another case: status $status"
-grep -q "whole/prediction.json: is of another case: thickness_mm = 4.2 instead of thickness_mm = 4$" other.err ||
+grep -q "whole/prediction.json: must be of this case: thickness_mm is 4.2 instead of 4$" other.err ||
   fail "$(cat other.err)"
 sed 's/"limit_mps": [0-9]/&0/' whole/prediction.json > changed.json
 status=0
 limit other --check changed.json 2> other.err || status=$?
 [ "$status" -eq 2 ] || fail "a changed record: status $status"
-grep -q "changed.json: was changed after it was written: its hash is " other.err || fail "$(cat other.err)"
+grep -q "changed.json: must be a prediction.json of ogive limit, unchanged: its hash is " other.err || fail "$(cat other.err)"
 [ ! -e other ] || fail "something was run: $(ls other)"
 
 # The limit lies where the table says: the fastest that was stopped and the slowest that was not, 20 m/s apart at most.

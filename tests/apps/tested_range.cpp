@@ -14,15 +14,18 @@ const std::string begin = "outside of what was compared with tests: ";
 
 TEST_CASE("the cases of the tests lie within the tested range") {
   CHECK(outside({}).empty());
-  CHECK(outside({"--thickness-mm", "6", "--velocity-mps", "75"}).empty());
+  CHECK(outside({"--thickness-mm", "6", "--velocity-mps", "150"}).empty());
   CHECK(outside({"--thickness-mm", "30", "--nose", "conical", "--material", "aa5083_h116"}).empty());
   CHECK(outside({"--projectile", "apm2_762_core", "--thickness-mm", "25.4", "--velocity-mps", "600", "--material",
-                 "aa6061_t651", "--spacing-mm", "0.5"})
+                 "aa6082_t6", "--spacing-mm", "0.5"})
             .empty());
 }
 
 TEST_CASE("what lies outside of the tested range is named, in one line") {
-  CHECK(outside({"--velocity-mps", "700"}) == begin + "velocity_mps (tests: 75 to 640)");
+  CHECK(outside({"--velocity-mps", "700"}) == begin + "velocity_mps (tests: 145 to 600)");
+  CHECK(outside({"--velocity-mps", "100"}) == begin + "velocity_mps (tests: 145 to 600)");
+  CHECK(outside({"--nose", "hemispherical"}) == begin + "nose hemispherical");
+  CHECK(outside({"--material", "aa6061_t651", "--nose", "conical"}) == begin + "metal aa6061_t651 of another source");
   CHECK(outside({"--obliquity-deg", "20", "--extent", "half", "--sph-radius-mm", "35"}) ==
         begin + "obliquity, pitch or yaw (tests: none)");
   CHECK(outside({"--layers-mm", "6,6", "--layer-materials", "steel_4340,steel_4340", "--damage", "none"}) ==

@@ -103,6 +103,8 @@ void compare(const std::function<Shot()> &make, const std::vector<std::int64_t> 
   if (has_bands(metal.shear_band))
     CHECK(std::count_if(points.shear_strain.begin(), points.shear_strain.end(),
                         [onset = metal.shear_band.onset](double strain) { return strain > onset; }) > 3);
+  if (has_bands(metal.shear_band))
+    CHECK(std::count_if(points.band_age.begin(), points.band_age.end(), [](double age) { return age > 0; }) > 3);
   CHECK(energy(whole).friction > 0);
   CHECK(plate_particles(whole).neighbours.built_at != first_lists);
   CHECK(plate_particles(whole).neighbours.images.size() > 20);

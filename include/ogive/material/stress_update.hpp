@@ -282,9 +282,9 @@ template <class Body, class T> void update_stress(Body &body, T dt) {
       keep_yield(body.points, i, after.yield);
     };
     // The flow stress of a point that flowed in the last step is not known, nor is that of a band that cools.
-    const auto &age = body.points.band_age;
+    const auto &sheared = body.points.shear_strain;
     for (Index i = begin; i < end; ++i)
-      if (body.points.plastic_strain_rate[i] > T(0) || (!age.empty() && age[i] > T(0)))
+      if (body.points.plastic_strain_rate[i] > T(0) || (!sheared.empty() && sheared[i] >= body.metal.shear_band.onset))
         flow(i);
       else
         at_rest[resting++] = i;
