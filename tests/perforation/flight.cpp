@@ -52,6 +52,13 @@ TEST_CASE("a blunt shot is perforated once its velocity is steady and the plug l
   });
   CHECK(flight.state == FlightState::perforated);
 
+  // A slower plug before it will be hit again: 1 m/s is more than 0.1 % of 300 m/s.
+  auto early = flight_of(Nose::blunt);
+  fly(early, 0, 200, slowing, [] { return Way<double>{true, false, 0, 1}; });
+  CHECK(early.state == FlightState::in_progress);
+  fly(early, 200, 202, slowing, [] { return Way<double>{true, false, 0, 0.1}; });
+  CHECK(early.state == FlightState::perforated);
+
   auto stuck = flight_of(Nose::blunt);
   fly(stuck, 0, 200, slowing, hanging);
   CHECK(stuck.state == FlightState::in_progress);

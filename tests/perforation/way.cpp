@@ -65,6 +65,24 @@ TEST_CASE("a whole plate is in the way, a hole without it not, at any scale and 
   }
 }
 
+TEST_CASE("a loose plug that is slower takes velocity once it is hit again, a faster one none", "[perforation]") {
+  auto [model, direction] = plate_and_shot(GENERATE(Extent::full, Extent::quarter));
+  set_velocity(model.nodes, projectile(model).nodes, 200 * direction);
+  double mass = 0, ahead = 0;
+  for (Index n = projectile(model).nodes.begin; n < projectile(model).nodes.end; ++n) mass += model.nodes.mass[n];
+  move_core(model, direction, 10e-3, 20e-3 * direction, 150);
+  const auto &body = plate_particles(model);
+  for (Index i = 0; i < body.nodes.size(); ++i) {
+    const Vec3<double> &p = model.nodes.position[body.nodes.begin + i];
+    if (p[2] < -15e-3 && std::hypot(p[0], p[1]) < 7.5e-3) ahead += body.point_mass[i];
+  }
+  CHECK(ahead > 0.02 * mass);
+  // Momentum is shared: m v = (m + m_plug) v'.
+  CHECK(find_way(model, direction, 10e-3, 1.0).later_loss == Approx(50 * ahead / (mass + ahead)));
+  move_core(model, direction, 10e-3, Vec3<double>::Zero(), 250);
+  CHECK(find_way(model, direction, 10e-3, 1.0).later_loss == 0);
+}
+
 TEST_CASE("the plate's velocity is that of what hangs beside the projectile", "[perforation]") {
   auto [model, direction] = plate_and_shot(Extent::quarter);
   const auto range = plate_particles(model).nodes;

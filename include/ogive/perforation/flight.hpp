@@ -131,8 +131,9 @@ template <class M, class T> Way<T> find_way(const M &model, const Flight<T> &fli
 /// Perforated, sharp: the tail has left the last plate, and nothing is in the way or the velocity is steady and above
 /// that of the plate. Perforated, blunt: the nose is behind the last plate and the velocity steady, by more than 0.5 %
 /// of the initial one above that of the plate beside the projectile, and nothing is in the way: a plug that still hangs
-/// on the plate may come back to the nose. If the tail has left too, what a chain of debris still connects to the plate
-/// does not count as in the way.
+/// on the plate may come back to the nose. A plug that is slower will be hit again: that may change a steady velocity
+/// by no more than a steady one may change. If the tail has left too, what a chain of debris still connects to the
+/// plate does not count as in the way.
 template <class T, class FindWay> FlightState state_of(const Flight<T> &flight, FindWay &&find_way) {
   using enum FlightState;
   const FlightSample<T> &now = flight.samples.back();
@@ -146,7 +147,7 @@ template <class T, class FindWay> FlightState state_of(const Flight<T> &flight, 
   if (!moves && !has_left) return way.clear && !way.inside ? in_progress : stopped;
   const bool moves_on = now.velocity - way.plate_velocity > rest;
   const bool free = has_left ? (way.clear && now.velocity > T(0)) || (settled && moves_on)
-                             : way.clear && moves_on && now.nose > flight.plate_thickness;
+                             : way.clear && moves_on && now.nose > flight.plate_thickness && way.later_loss < tolerance;
   return free ? perforated : in_progress;
 }
 

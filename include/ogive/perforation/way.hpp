@@ -12,12 +12,15 @@ template <class T> struct Way {
   bool clear = true;   ///< nothing that hangs on a plate's rim lies before the projectile
   bool inside = false; ///< something that hangs on a rim lies beside the projectile
   T plate_velocity{};  ///< m/s along the line of flight, mean of what lies beside it; 0: nothing does
+  T later_loss{};      ///< m/s, that loose metal before the projectile takes once they move as one; 0 if that is faster
 };
 
 /// The projectile's axis of motion.
 template <class T> struct Axis {
   Vec3<T> middle;    ///< m, centre of mass
   Vec3<T> direction; ///< unit vector of the mean velocity
+  T velocity{};      ///< m/s, of the mean velocity along the line of flight
+  T mass{};          ///< kg, of the projectile as far as it is computed
   T front{};         ///< m, distance of the foremost node from the middle along it
   T rear{};          ///< m, likewise of the last node; negative
 };
@@ -36,7 +39,8 @@ template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T>
   velocity /= mass;
   const bool moves = velocity.dot(direction) > least_speed;
   constexpr T infinite = std::numeric_limits<T>::infinity();
-  Axis<T> axis{middle / mass, moves ? velocity.normalized() : direction, -infinite, infinite};
+  Axis<T> axis{middle / mass, moves ? velocity.normalized() : direction, velocity.dot(direction), mass, -infinite,
+               infinite};
   for (Index n = range.begin; n < range.end; ++n) {
     const T along = (nodes.position[n] - axis.middle).dot(axis.direction);
     axis.front = std::max(axis.front, along), axis.rear = std::min(axis.rear, along);
@@ -46,15 +50,19 @@ template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T>
 
 /// The way of a projectile of this radius (m) that was fired along `direction`, see axis_of_motion(). What hangs within
 /// three quarters of its radius from the axis of motion, farther ahead than its foremost node, is in the way: nearer to
-/// its edge the hole's rim may bend to the rear.
+/// its edge the hole's rim may bend to the rear. Loose metal there that is slower will be hit.
 template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direction, T radius, T least_speed) {
   const Axis<T> axis = axis_of_motion(model, direction, least_speed);
   Way<T> way;
-  T mass{}, momentum{};
+  T mass{}, momentum{}, loose_mass{}, loose_momentum{};
+  const auto is_ahead = [&](const Vec3<T> &gap) {
+    const T along = gap.dot(axis.direction);
+    return along > axis.front && (gap - along * axis.direction).norm() < T(0.75) * radius;
+  };
   const auto take = [&](const Vec3<T> &position, const Vec3<T> &velocity, T own_mass, T spacing) {
     const Vec3<T> gap = position - axis.middle;
     const T along = gap.dot(axis.direction), aside = (gap - along * axis.direction).norm();
-    if (along > axis.front && aside < T(0.75) * radius) way.clear = false;
+    if (is_ahead(gap)) way.clear = false;
     if (along > axis.front || along < axis.rear || aside > radius + T(3) * spacing) return;
     mass += own_mass;
     momentum += own_mass * velocity.dot(direction);
@@ -62,9 +70,15 @@ template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direc
   for (std::size_t layer = 0; layer < model.bodies.plate_particles.size(); ++layer) {
     const auto &body = plate_particles(model, layer);
     const Pieces pieces = find_pieces(model, 1.5, layer);
-    for (Index i = 0; i < static_cast<Index>(pieces.of.size()); ++i)
-      if (const Index n = body.nodes.begin + i; pieces.hangs(i))
+    for (Index i = 0; i < static_cast<Index>(pieces.of.size()); ++i) {
+      const Index n = body.nodes.begin + i;
+      if (pieces.hangs(i))
         take(model.nodes.position[n], model.nodes.velocity[n], body.point_mass[i], body.spacing);
+      else if (const Vec3<T> gap = model.nodes.position[n] - axis.middle; is_ahead(gap)) {
+        loose_mass += body.point_mass[i];
+        loose_momentum += body.point_mass[i] * model.nodes.velocity[n].dot(direction);
+      }
+    }
     const auto &rim = plate_hexes(model, layer);
     for (Index e = 0; e < static_cast<Index>(rim.hexes.size()); ++e) {
       if (is_removed(rim, e)) continue;
@@ -78,6 +92,7 @@ template <class M, class T> Way<T> find_way(const M &model, const Vec3<T> &direc
   }
   way.inside = mass > T(0);
   if (way.inside) way.plate_velocity = momentum / mass;
+  way.later_loss = std::max(T(0), (loose_mass * axis.velocity - loose_momentum) / (axis.mass + loose_mass));
   return way;
 }
 
