@@ -10,7 +10,8 @@ int main() {
                                      .spacing = 1.2e-3,
                                      .projectile = paper_projectile<double>(Nose::blunt),
                                      .initial_velocity = 303.5};
-  auto model = make_perforation(shot, library::weldox_460e_mjc<double>(), library::arne_tool_steel<double>());
+  auto model = make_perforation(Method::stabilised, shot, library::weldox_460e_mjc<double>(),
+                                library::arne_tool_steel<double>());
   const RunOptions<double> until{.end_time = 100e-6, .observe_every = 5e-6};
   const RunResult result = run(model, until, [](const auto &now, const Energy<double> &energy) {
     std::printf("%5.1f us  %6.1f m/s  %8.2f J\n", now.time * 1e6, -mean_velocity(now.nodes, projectile(now).nodes)[2],

@@ -135,7 +135,7 @@ void announce(const Options &o, const Result &shot) {
   if (s.added_mass_g > 1e-6) std::printf(", and %.2f g added to thin hexes at the tip", s.added_mass_g);
   std::printf(", %.1f mm3, least scaled Jacobian %.2f", s.projectile_volume_mm3, s.projectile_jacobian);
   for (const auto &[name, mass_g] : s.part_masses_g) std::printf("\n    %-17s %.2f g", name.c_str(), mass_g);
-  std::printf("\n  first time step     %.4f us, %d threads\n", s.time_step_us, omp_get_max_threads());
+  std::printf("\n  first time step     %.4f us, threads %d\n", s.time_step_us, omp_get_max_threads());
   if (o.restart) std::printf("  resumes from        %.3f us, %s\n", o.restart->time_us, o.restart->file.c_str());
   std::fflush(stdout);
 }

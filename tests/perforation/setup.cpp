@@ -57,6 +57,34 @@ TEST_CASE("plate and projectile have their masses", "[perforation]") {
   CHECK(mass_of(model, projectile(model).nodes) <= shot * (1.01 + 1e-12)); // raised at the tip by 1 % at most
 }
 
+TEST_CASE("a model of a method has all that the method chooses", "[perforation]") {
+  const auto steel = library::arne_tool_steel<double>();
+  auto plate = library::weldox_460e_mjc<double>();
+  auto c = coarse_case();
+  c.lattice = Lattice::cubic;
+  c.projectile = paper_projectile<double>(Nose::conical);
+  const auto model = make_perforation(Method::stabilised, c, plate, steel);
+  const auto &particles = plate_particles(model);
+  CHECK(particles.metal.damage.law == DamageLaw::johnson_cook);
+  CHECK(particles.metal.damage.softening == 0.3);
+  CHECK(has_bands(particles.metal.shear_band));
+  CHECK(particles.options.control.stiffness == 0.3);
+  CHECK(model.contacts[0].options.friction == 0.02);
+  c.lattice = Lattice::ring;
+  CHECK(model.nodes.position == build(c).nodes.position);
+  c.friction = 0.1;
+  CHECK(make_perforation(Method::stabilised, c, plate, steel).contacts[0].options.friction == 0.1);
+  c.friction = 0, c.projectile = paper_projectile<double>(Nose::blunt);
+  CHECK(make_perforation(Method::stabilised, c, plate, steel).contacts[0].options.friction == 0);
+  plate.damage.failure_strain = {}; // a metal without
+  CHECK(plate_particles(make_perforation(Method::stabilised, c, plate, steel)).metal.damage.law == DamageLaw::none);
+
+  const auto paper = make_perforation(Method::paper, c, plate, steel);
+  CHECK_FALSE(has_bands(plate_particles(paper).metal.shear_band));
+  c.lattice = Lattice::cubic;
+  CHECK(paper.nodes.position == build(c).nodes.position);
+}
+
 TEST_CASE("the parts of a shot stand where they belong", "[perforation]") {
   const Lattice lattice = GENERATE(Lattice::cubic, Lattice::ring);
   auto c = coarse_case();

@@ -66,11 +66,12 @@ template <class T> MethodChoices<T> choices_of(Method method) {
 }
 
 /// The metal of a plate with the damage and the bands of shear that a method asks for; the constants of the failure
-/// strain are its own.
+/// strain are its own, and without any it has no damage.
 template <class T, class Law> Metal<T, Law> with_damage_of(Method method, Metal<T, Law> metal) {
   const MethodChoices<T> c = choices_of<T>(method);
   Damage<T> &damage = metal.damage;
-  damage.law = c.damage, damage.effect = c.failure, damage.softening = c.softening;
+  const FailureStrain<T> &f = damage.failure_strain;
+  if (f.D1 != T(0) || f.D2 != T(0)) damage.law = c.damage, damage.effect = c.failure, damage.softening = c.softening;
   metal.shear_band.onset_ratio = c.band_onset;
   return metal;
 }

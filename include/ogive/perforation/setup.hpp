@@ -289,4 +289,16 @@ make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate, const 
 }
 ///@}
 
+/// The same with all that a method chooses: lattice, damage and bands of shear of the plates, numerical choices; and
+/// its friction on a sharp nose for which the case has none.
+template <class T, class Law, class ShotLaw>
+PerforationModel<T, Law, CubicSpline, RenormalisedForm, OnePoint, ShotLaw>
+make_perforation(Method method, PerforationCase<T> c, const Metal<T, Law> &plate,
+                 const Metal<T, ShotLaw> &projectile_metal) {
+  const MethodChoices<T> choices = choices_of<T>(method);
+  c.lattice = choices.lattice;
+  if (c.friction == T(0) && is_sharp(c.projectile)) c.friction = choices.sharp_friction;
+  return make_perforation(c, with_damage_of(method, plate), projectile_metal, choices.numerics);
+}
+
 } // namespace ogive
