@@ -77,7 +77,8 @@ TEST_CASE("a model of a method has all that the method chooses", "[perforation]"
   c.friction = 0, c.projectile = paper_projectile<double>(Nose::blunt);
   CHECK(make_perforation(Method::stabilised, c, plate, steel).contacts[0].options.friction == 0);
   plate.damage.failure_strain = {}; // a metal without
-  CHECK(plate_particles(make_perforation(Method::stabilised, c, plate, steel)).metal.damage.law == DamageLaw::none);
+  const auto undamaged = make_perforation(Method::stabilised, c, plate, steel);
+  CHECK(plate_particles(undamaged).metal.damage.law == DamageLaw::none);
 
   const auto paper = make_perforation(Method::paper, c, plate, steel);
   CHECK_FALSE(has_bands(plate_particles(paper).metal.shear_band));
