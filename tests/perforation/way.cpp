@@ -67,7 +67,7 @@ TEST_CASE("a whole plate is in the way, a hole without it not, at any scale and 
 
 TEST_CASE("a loose plug that is slower takes velocity once it is hit again, a faster one none", "[perforation]") {
   auto [model, direction] = plate_and_shot(GENERATE(Extent::full, Extent::quarter));
-  set_velocity(model.nodes, projectile(model).nodes, 200 * direction);
+  set_velocity(model.nodes, projectile(model).nodes, Vec3<double>(200 * direction));
   double mass = 0, ahead = 0;
   for (Index n = projectile(model).nodes.begin; n < projectile(model).nodes.end; ++n) mass += model.nodes.mass[n];
   move_core(model, direction, 10e-3, 20e-3 * direction, 150);
@@ -79,7 +79,7 @@ TEST_CASE("a loose plug that is slower takes velocity once it is hit again, a fa
   CHECK(ahead > 0.02 * mass);
   // Momentum is shared: m v = (m + m_plug) v'.
   CHECK(find_way(model, direction, 10e-3, 1.0).later_loss == Approx(50 * ahead / (mass + ahead)));
-  move_core(model, direction, 10e-3, Vec3<double>::Zero(), 250);
+  move_core(model, direction, 10e-3, {0, 0, 0}, 250);
   CHECK(find_way(model, direction, 10e-3, 1.0).later_loss == 0);
 }
 
