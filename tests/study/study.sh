@@ -102,7 +102,7 @@ diff <(rows whole) <(rows shared) || fail "shards: other rows"
 sweep shared > merged.out || fail "merged: status $?"
 grep -qx '0 shots run, 4 known before, 0 failed' merged.out || fail "merged: $(cat merged.out)"
 sweep shared --no-run > drawn.out || fail "--no-run: status $?"
-diff <(tail -n +2 merged.out) drawn.out || fail "--no-run prints another table"
+diff <(sed '1,/^0 shots run,/d' merged.out) drawn.out || fail "--no-run prints another table"
 
 # A shot that fails does not stop the others.
 mkdir -p failing/shots
