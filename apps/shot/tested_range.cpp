@@ -16,11 +16,11 @@ struct Range {
   double low, high;
 };
 
-constexpr Range calibres_mm{6, 20};
-constexpr Range thicknesses_in_calibres{0.3, 4.2};
-constexpr Range velocities_mps{145, 600}; // from the lowest limit to the highest
-constexpr std::array<std::string_view, 6> metals{"weldox_460e",      "weldox_700e", "aa5083_h116",
-                                                 "aa5083_h116_25mm", "aa6061_t651", "aa6082_t6"};
+constexpr Range calibres_mm{19.9, 20};
+constexpr Range thicknesses_in_calibres{0.3, 1.5};
+constexpr Range velocities_mps{145, 450}; // from the lowest limit to the highest
+constexpr std::array<std::string_view, 5> metals{"weldox_460e", "weldox_700e", "aa5083_h116", "aa5083_h116_25mm",
+                                                 "aa6061_t651"};
 
 } // namespace
 

@@ -259,7 +259,10 @@ TABLES = {
     "cone": ("beyond", [
         Table("Method `stabilised`, conical nose, 12 mm Weldox 460 E, 355.6 m/s, particles 1 mm apart, one change at a time:",
               partial(shots, CONES), (Sweep("cone", "cone", "--method stabilised --model mjc --nose conical --spacing-mm 1 "
-                                            "--velocity-mps 355.6"),))]),
+                                            "--velocity-mps 355.6"),)),
+        Table("The same nose and plate at the velocities of measured shots:", partial(shots, CONES), tuple(
+            Sweep(f"cone_{size}mm", "cone_measured", f"--method stabilised --model mjc --nose conical --spacing-mm {size}",
+                  f"{{}}, particle distance {size} mm") for size in (1, 0.8)))]),
     "accuracy": ("../README", [Table("Ballistic limits, method `stabilised`:", accuracy, (REPEATS, SHARP, *OPEN))]),
 }
 

@@ -16,14 +16,12 @@ TEST_CASE("the cases of the tests lie within the tested range") {
   CHECK(outside({}).empty());
   CHECK(outside({"--thickness-mm", "6", "--velocity-mps", "150"}).empty());
   CHECK(outside({"--thickness-mm", "30", "--nose", "conical", "--material", "aa5083_h116"}).empty());
-  CHECK(outside({"--projectile", "apm2_762_core", "--thickness-mm", "25.4", "--velocity-mps", "600", "--material",
-                 "aa6082_t6", "--spacing-mm", "0.5"})
-            .empty());
+  CHECK(outside({"--projectile", "fsp_20mm", "--thickness-mm", "12.7", "--velocity-mps", "218"}).empty());
 }
 
 TEST_CASE("what lies outside of the tested range is named, in one line") {
-  CHECK(outside({"--velocity-mps", "700"}) == begin + "velocity_mps (tests: 145 to 600)");
-  CHECK(outside({"--velocity-mps", "100"}) == begin + "velocity_mps (tests: 145 to 600)");
+  CHECK(outside({"--velocity-mps", "700"}) == begin + "velocity_mps (tests: 145 to 450)");
+  CHECK(outside({"--velocity-mps", "100"}) == begin + "velocity_mps (tests: 145 to 450)");
   CHECK(outside({"--nose", "hemispherical"}) == begin + "nose hemispherical");
   CHECK(outside({"--material", "aa6061_t651", "--nose", "conical"}) == begin + "metal aa6061_t651 of another source");
   CHECK(outside({"--obliquity-deg", "20", "--extent", "half", "--sph-radius-mm", "35"}) ==
@@ -31,5 +29,5 @@ TEST_CASE("what lies outside of the tested range is named, in one line") {
   CHECK(outside({"--layers-mm", "6,6", "--layer-materials", "steel_4340,steel_4340", "--damage", "none"}) ==
         begin + "several plates (tests: one); metal steel_4340");
   CHECK(outside({"--diameter-mm", "40", "--sph-radius-mm", "50", "--thickness-mm", "8", "--spacing-mm", "2"}) ==
-        begin + "diameter_mm (tests: 6 to 20); thickness over diameter (tests: 0.3 to 4.2)");
+        begin + "diameter_mm (tests: 19.9 to 20); thickness over diameter (tests: 0.3 to 1.5)");
 }
