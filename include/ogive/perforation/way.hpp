@@ -20,7 +20,7 @@ template <class T> struct Axis {
   Vec3<T> middle;    ///< m, centre of mass
   Vec3<T> direction; ///< unit vector of the mean velocity
   T velocity{};      ///< m/s, of the mean velocity along the line of flight
-  T mass{};          ///< kg, of the projectile as far as it is computed
+  T mass{};          ///< kg, of the computed part of the projectile
   T front{};         ///< m, distance of the foremost node from the middle along it
   T rear{};          ///< m, likewise of the last node; negative
 };
