@@ -20,6 +20,7 @@ CASES = ROOT / "bench" / "cases"
 FOLDER = ROOT / "vtk_out" / "bench"
 KEPT = ROOT / "bench" / "rows"
 PROGRAM = PROGRAMS / "ogive"
+WIDTH_MPS = 5  # of a bracket at the end of a search, the default of ogive sweep
 
 
 PATHS = {"material"}  # columns whose values may be paths
@@ -147,7 +148,7 @@ def summary(sweep, name):
 def limit_rows(sweep):
     """(case, row of limits.csv) of the limits that have been found. The rows of limits have no names but values of all
     options except the velocity: that of a case has its values, and in columns that it leaves empty none that others of the
-    list give. With --vary a case has several."""
+    list give. With --vary a case has several. A search that has not ended has a wider bracket than WIDTH_MPS."""
     file, listed = FOLDER / sweep.folder / "limits.csv", cases(sweep)
     file = file if file.exists() else kept(sweep, "limits.csv") or file
     columns = [column for column in listed[0] if column not in ("name", "text", "velocity_mps")]
@@ -158,8 +159,12 @@ def limit_rows(sweep):
     def value(row, column):
         return Path(row[column]).name if column in PATHS else row[column]
 
+    def has_ended(row):
+        return row["bisection_limit_mps"] and (
+            float(row["lowest_perforated_mps"]) - float(row["highest_stopped_mps"]) <= WIDTH_MPS * (1 + 1e-9))
+
     return [(case, row) for case in listed for row in (texts(file) if file.exists() else [])
-            if row["bisection_limit_mps"] and all(value(row, c) == case[c] if case[c] else value(row, c) not in given[c]
+            if has_ended(row) and all(value(row, c) == case[c] if case[c] else value(row, c) not in given[c]
                                                   for c in columns)]
 
 
