@@ -6,7 +6,7 @@
 #include <string>
 
 /// \file
-/// The range of the tests that ogive was compared with: the tables of docs/beyond.md.
+/// The range of the tests that ogive was compared with: the tables of docs/beyond.md and the figures of the paper.
 
 namespace shot {
 
