@@ -74,6 +74,12 @@ def read_options():
     option("--jobs", type=positive, help="cases at a time, with --run")
     inserted(option)
 
+    option = command("validate", "tables", "validate",
+                     "run or resume all comparisons with tests, put their tables into docs/ and the README and draw measured "
+                     "and computed limits. What is done is not done again")
+    option("--page", action="store_true", dest="page_only", help="run nothing; make tables and plot of what is known")
+    option("--jobs", type=positive, help="cases at a time")
+
     option = command("fits", "fits", "make_fits", "fit the laws to synthetic curves (Figs. 1 to 3) and print their tables")
     option("--curves", type=Path, help="folder with measured curves instead: weldox_460e.csv, aa5083_h116.csv or both")
     option("--folder", type=Path, default=ROOT / "build" / "figures_1_to_3", help="for the fits [build/figures_1_to_3]")

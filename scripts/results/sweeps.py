@@ -168,12 +168,23 @@ def limit_rows(sweep):
                                                   for c in columns)]
 
 
+def shot_rows(sweep):
+    """Of the shots of a sweep of limits, from its folder or else those that are kept."""
+    rows = FOLDER / sweep.folder / "shots.csv"
+    rows = rows if rows.exists() else kept(sweep, "shots.csv")
+    return texts(rows) if rows else []
+
+
+def cost_s(sweep, limit):
+    """Processor time of all shots of a row of limits.csv, s."""
+    keys = list(limit)[:list(limit).index("highest_stopped_mps")]
+    return sum(float(shot["cpu_s"]) for shot in shot_rows(sweep) if all(shot.get(key) == limit[key] for key in keys))
+
+
 def versions(sweep):
     """Of the shots that have been run."""
-    folder = FOLDER / sweep.folder
-    rows = (folder / "shots.csv") if (folder / "shots.csv").exists() else kept(sweep, "shots.csv")
-    return {read_json(summary)["version"] for summary in folder.glob("shots/*/summary.json")} | {
-        row["version"] for row in (texts(rows) if rows else [])}
+    return {read_json(summary)["version"] for summary in (FOLDER / sweep.folder).glob("shots/*/summary.json")} | {
+        row["version"] for row in shot_rows(sweep)}
 
 
 def limits(sweep):

@@ -1,18 +1,18 @@
-"""The tables of docs/, in Markdown: of shots and limits that sweeps.py runs, and of the page of results."""
+"""The tables of docs/, in Markdown, by name: of shots and limits that sweeps.py runs, and of the page of results."""
 
-import math
+import sys
 from functools import partial
 from typing import Callable, NamedTuple
 
-from . import cavity
 from . import sweeps as runs
-from .data import KEY_COLUMNS, PAGE, ROOT, InputError, Tests, build, markdown_table, metal_of, read_table
+from . import validation
+from .data import KEY_COLUMNS, PAGE, ROOT, InputError, build, markdown_table, read_table
 from .insert import insert
+from .limits import open_limits, paper_limits, repeats, scale, sharp_limits, sizes
 from .sweeps import Sweep
 
 BRACKETS = ("Tests in brackets: no measured shot but the curve of Recht and Ipson through the measured limit, which is known "
             "to 5 m/s; just above it the curve is uncertain.")
-STEEL = ("Weldox 460 E", "blunt")
 
 
 class Column(NamedTuple):
@@ -57,104 +57,6 @@ def shots(columns, sweeps, first="case"):
     return rows and markdown_table([first, *(column.title for column in columns)], rows)
 
 
-def percent(value, reference):
-    return f"{100 * (value / reference - 1):+.1f} %" if value and reference else "–"
-
-
-def first_limits(sweep):
-    """The limits of a sweep with the undisturbed arrangement of the particles, m/s, by the name of the case."""
-    return {case["name"]: float(row["bisection_limit_mps"]) for case, row in runs.limit_rows(sweep) if row["seed"] == "0"}
-
-
-def sizes(sweeps):
-    """Limits with several particle distances, the last of which others are compared with."""
-    *others, reference = (first_limits(sweep) for sweep in sweeps)
-    sizes_mm = [sweep.text for sweep in sweeps]
-    rows = []
-    for case in runs.cases(sweeps[0]):
-        limit = [found.get(case["name"]) for found in (*others, reference)]
-        rows.append([f"{case['thickness_mm']} mm", f"{Tests().limit_mps(*STEEL, float(case['thickness_mm'])):.1f}",
-                     *(f"{value:.1f}" if value else "–" for value in limit),
-                     *(percent(value, limit[-1]) for value in limit[:-1])])
-    return any(others) and markdown_table(
-        ["plate", "test, m/s", *sizes_mm, *(f"{size} against {sizes_mm[-1]}" for size in sizes_mm[:-1])], rows)
-
-
-def paper_limits(sweeps):
-    """Limits beside the paper's own and the tests."""
-    rows = []
-    for case, row in runs.limit_rows(sweeps[0]):
-        plate, limit = (*STEEL, float(case["thickness_mm"])), float(row["bisection_limit_mps"])
-        test, paper = Tests().limit_mps(*plate), Tests().paper_velocity_mps(*plate)
-        rows.append([f"{plate[2]:g} mm", f"{test:.1f}", f"{paper:.0f}", f"{limit:.1f}", percent(limit, paper),
-                     percent(limit, test)])
-    return rows and markdown_table(
-        ["plate", "test, m/s", "paper, m/s", "computed, m/s", "against the paper", "against the test"], rows)
-
-
-# 95 % quantiles of Student's distribution by degrees of freedom, from 1 on.
-STUDENT_95 = (6.3138, 2.9200, 2.3534, 2.1318, 2.0150, 1.9432, 1.8946, 1.8595, 1.8331)
-
-
-def repeated_limit(limits):
-    """Mean, standard deviation and half of the 90 % interval of the mean of (limit, half width of its bracket), two or
-    more: the rule of include/ogive/fit/repeated_limit.hpp."""
-    values, halves = zip(*limits)
-    mean = sum(values) / len(values)
-    variance = sum((value - mean) ** 2 for value in values) / (len(values) - 1)
-    of_brackets = sum(half ** 2 for half in halves) / (3 * len(halves))
-    return (mean, math.sqrt(variance),
-            STUDENT_95[len(values) - 2] * math.sqrt(max(variance, of_brackets) / len(values)))
-
-
-def repeats(sweeps):
-    """Limits with several arrangements of the particles, one column each."""
-    plates, seeds = {}, []
-    for case, row in runs.limit_rows(sweeps[0]):
-        half = (float(row["lowest_perforated_mps"]) - float(row["highest_stopped_mps"])) / 2
-        plates.setdefault(float(case["thickness_mm"]), {})[row["seed"]] = (float(row["bisection_limit_mps"]), half)
-        seeds.append(int(row["seed"]))
-    seeds, rows = [str(seed) for seed in sorted(set(seeds))], []
-    for thickness, found in plates.items():
-        test, cells = Tests().limit_mps(*STEEL, thickness), ["–"] * 4
-        if len(found) > 1:
-            mean, deviation, half = repeated_limit(found.values())
-            cells = [f"{mean:.1f}", f"{deviation:.1f}", f"{mean - half:.1f} to {mean + half:.1f}", percent(mean, test)]
-        rows.append([f"{thickness:g} mm", f"{test:.1f}",
-                     *(f"{found[seed][0]:.1f}" if seed in found else "–" for seed in seeds), *cells])
-    return rows and markdown_table(
-        ["plate", "test, m/s", *(f"seed {seed}, m/s" for seed in seeds), "mean, m/s", "standard deviation, m/s",
-         "90 % interval of the mean, m/s", "mean against the test"], rows)
-
-
-def open_tests():
-    """Tests with other projectiles and metals than the paper's, by the text of their cases."""
-    return {f"{test['projectile']} at {test['thickness_mm']} mm {test['target']}": test
-            for test in runs.texts(ROOT / "apps" / "data" / "v50_open.csv")}
-
-
-def open_limits(sweeps):
-    """Limits beside tests with other projectiles and metals than the paper's, and those of cavity expansion."""
-    rows, tests = [], open_tests()
-    for case, row in (found for sweep in sweeps for found in runs.limit_rows(sweep)):
-        test, formula = float(tests[case["text"]]["V50_mps"]), cavity.limit_mps(tests[case["text"]])
-        rows.append([case["text"], case["spacing_mm"], f"{test:.0f}", row["bisection_limit_mps"],
-                     percent(float(row["bisection_limit_mps"]), test), f"{formula:.0f}" if formula else "–",
-                     percent(formula, test)])
-    return rows and markdown_table(["projectile and plate", "particle distance, mm", "test, m/s", "computed, m/s", "error",
-                                    "cavity expansion, m/s", "error of it"], rows)
-
-
-def scale(sweeps):
-    """Limits of the same geometry in several sizes."""
-    found = runs.limits(sweeps[0])
-    return found and markdown_table(
-        ["geometry", "plate, mm", "projectile, mm", "particle distance, mm", "limit, m/s", "against the geometry of the tests"],
-        [[case["text"], case["thickness_mm"], case["diameter_mm"], case["spacing_mm"],
-          f"{found[case['name']]:.1f}" if case["name"] in found else "–",
-          percent(found.get(case["name"]), found.get("equal"))] for case in runs.cases(sweeps[0])])
-
-
 def cost(_):
     """Processor time of the shots of the page that both methods have, by plate, and of all of them."""
     seconds, plates = {row.key(KEY_COLUMNS): row["cpu_s"] for row in read_table(PAGE / "run_record.csv")}, {}
@@ -170,27 +72,6 @@ def cost(_):
         for nose, plate, count, paper, other in rows])
 
 
-def sharp_limits(sweeps):
-    """Limits of sharp noses beside the tests."""
-    return markdown_table(["nose and plate", "test, m/s", "computed, m/s", "error"], [
-        [case["text"], f"{test:.1f}", row["bisection_limit_mps"], percent(float(row["bisection_limit_mps"]), test)]
-        for case, row in runs.limit_rows(sweeps[0])
-        for test in [Tests().limit_mps(metal_of(row["material"]), row["nose"], float(row["thickness_mm"]))]])
-
-
-def accuracy(sweeps):
-    """All limits of the default method beside tests: those of blunt noses on steel, of sharp noses, and open ones."""
-    blunt, sharp, *others = sweeps
-    rows = [[f"blunt, {case['thickness_mm']} mm Weldox 460 E", row, Tests().limit_mps(*STEEL, float(case["thickness_mm"]))]
-            for case, row in runs.limit_rows(blunt) if row["seed"] == "0"]
-    rows += [[case["text"], row, Tests().limit_mps(metal_of(row["material"]), row["nose"], float(row["thickness_mm"]))]
-             for case, row in runs.limit_rows(sharp)]
-    rows += [[case["text"], row, float(open_tests()[case["text"]]["V50_mps"])] for sweep in others for case, row in runs.limit_rows(sweep)]
-    return rows and markdown_table(["projectile and plate", "particle distance, mm", "limit, m/s", "test, m/s", "error"], [
-        [text, row["spacing_mm"], f"{float(row['bisection_limit_mps']):.1f}", f"{test:.1f}",
-         percent(float(row["bisection_limit_mps"]), test)] for text, row, test in rows])
-
-
 class Table(NamedTuple):
     caption: str
     text: Callable  # of the sweeps; empty where nothing has been run
@@ -203,6 +84,7 @@ LIMITS = "--limit --model mjc --spacing-mm 0.6"
 REPEATS = Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1")
 SHARP = Sweep("sharp", "sharp", "--limit --model mjc --spacing-mm 1 --method stabilised")
 OPEN = tuple(Sweep(name, name, "--limit --method stabilised") for name in ("open", "apm2"))
+ALL_LIMITS = (REPEATS, SHARP, *OPEN)
 
 # Name: page, from docs/; tables.
 TABLES = {
@@ -263,7 +145,8 @@ TABLES = {
         Table("The same nose and plate at the velocities of measured shots:", partial(shots, CONES), tuple(
             Sweep(f"cone_{size}mm", "cone_measured", f"--method stabilised --model mjc --nose conical --spacing-mm {size}",
                   f"{{}}, particle distance {size} mm") for size in (1, 0.8)))]),
-    "accuracy": ("../README", [Table("Ballistic limits, method `stabilised`:", accuracy, (REPEATS, SHARP, *OPEN))]),
+    "accuracy": ("../README", [Table("Ballistic limits, method `stabilised`:", validation.summary, ALL_LIMITS)]),
+    "validation": ("doxygen/validation", [Table("", validation.table, ALL_LIMITS)]),
 }
 
 
@@ -293,3 +176,18 @@ def make_tables(name, run_missing=False, put_in=False, jobs=None):
     print(text)
     if put_in:
         insert(ROOT / "docs" / f"{page}.md", text, f"tables: scripts/results.sh tables {name}")
+
+
+# What other people's tests say: all limits, and the shots beside measured ones.
+VALIDATION = ("repeats", "sharp", "open", "measured", "cone", "dishing", "validation", "accuracy")
+
+
+def validate(page_only=False, jobs=None):
+    """Runs or resumes all comparisons with tests, and puts their tables into docs/ and the README and draws the plot of
+    measured and computed limits. Those of which nothing is known are named and left as they are."""
+    for name in VALIDATION:
+        try:
+            make_tables(name, not page_only and name not in ("validation", "accuracy"), True, jobs)
+        except InputError as error:
+            print(f"validate: left out: {error}", file=sys.stderr)
+    validation.draw(ALL_LIMITS)

@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 
-from results import cavity, figures, fits, sweeps, tables  # noqa: E402
+from results import cavity, figures, fits, limits, sweeps, tables, validation  # noqa: E402
 from results.checks import Bound, Result, run_checks  # noqa: E402
 from results.data import Results, Tests, cubic_particles, ended_by_time, read_shots, short  # noqa: E402
 from results.page import from_markdown  # noqa: E402
@@ -508,7 +508,7 @@ class Tables(unittest.TestCase):
             "| 12 mm | 184.5 | 190.0 | 192.0 | 197.0 | 193.0 | 3.6 | 186.9 to 199.1 | +4.6 % |",
             "| 20 mm | 293.9 | 282.5 | – | – | – | – | – | – |"])
         # Brackets that agree leave the interval as wide as they are.
-        mean, deviation, half = tables.repeated_limit([(190, 3), (190, 3)])
+        mean, deviation, half = limits.repeated_limit([(190, 3), (190, 3)])
         self.assertEqual((mean, deviation), (190, 0))
         self.assertAlmostEqual(half, 6.3138 * math.sqrt(3 / 2), places=4)
 
@@ -541,15 +541,31 @@ class Tables(unittest.TestCase):
                 "| all |  | 2 | 30 | 45 | 1.50 |"])
 
     def test_accuracy_of_the_default_method(self):
-        self.leave_limits("repeats", "thickness_mm,seed,spacing_mm,bisection_limit_mps", "6,0,0.6,140.5", "6,1,0.6,139")
+        head = "material,nose,thickness_mm,spacing_mm,seed,highest_stopped_mps,lowest_perforated_mps,bisection_limit_mps"
+        self.leave_limits("repeats", head, "weldox_460e,blunt,6,0.6,0,138,143,140.5", "weldox_460e,blunt,6,0.6,1,137,141,139")
+        (self.folder / "repeats" / "shots.csv").write_text(
+            "material,nose,thickness_mm,spacing_mm,seed,initial_velocity_mps,cpu_s,version\n" + "".join(
+                f"weldox_460e,blunt,{row},0.1.0\n" for row in ("6,0.6,0,143,50", "6,0.6,1,141,70", "8,0.6,0,141,900")))
         self.leave_limits("sharp", "material,nose,thickness_mm,spacing_mm,bisection_limit_mps",
                           "aa5083_h116,conical,15,1,211.5")
         self.leave_limits("open", "material,projectile,thickness_mm,sph_radius_mm,clamp_radius_mm,spacing_mm,bisection_limit_mps",
                           "/a/b/aa6061_t651.toml,fsp_20mm,12.7,24,150,1,204.9")
         self.assertEqual(self.table("accuracy")[-3:], [
-            "| blunt, 6 mm Weldox 460 E | 0.6 | 140.5 | 145.5 | -3.4 % |",
-            "| conical, 15 mm AA5083-H116 | 1 | 211.5 | 216.8 | -2.4 % |",
-            "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 204.9 | 218.0 | -6.0 % |"])
+            "| blunt, 6 to 20 mm Weldox 460 E | 1 | -4.0 % | -4.0 % | chosen on |",
+            "| cone, 15 to 30 mm AA5083-H116 | 1 | -2.4 % | -2.4 % | known |",
+            "| 20 mm fragment simulator, 12.7 mm AA6061-T651 | 1 | -6.0 % | -6.0 % | chosen on |"])
+        # Mean of two arrangements; the brackets allow (2.5^2 + 2^2) / 6, the limits differ by 0.75^2 * 2.
+        half = 6.3138 * math.sqrt((2.5 ** 2 + 2 ** 2) / 6 / 2)
+        self.assertEqual(self.table("validation")[-3:], [
+            f"| blunt, 6 mm Weldox 460 E | 0.6 | 145.5 ± 5 | 139.8 ± {half:.1f} | 2 | -4.0 % | chosen on | – | 2 |",
+            "| conical, 15 mm AA5083-H116 | 1 | 216.8 ± 5 | 211.5 ± 2.5 | 1 | -2.4 % | known | – | 0 |",
+            "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 218.0 | 204.9 ± 2.5 | 1 | -6.0 % | chosen on | – | 0 |"])
+        picture = self.folder / "limits.svg"
+        with contextlib.redirect_stdout(io.StringIO()):
+            validation.draw(tables.ALL_LIMITS, picture)
+        drawn = picture.read_text()
+        self.assertIn("20 mm fragment simulator, 12.7 mm AA6061-T651", drawn)
+        self.assertNotIn("APM2", drawn)  # of which there is no limit
         self.assertEqual(self.table("open")[-1], "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 218 | 204.9 | -6.0 % | – | – |")
         self.assertEqual(self.table("sharp")[-1], "| conical, 15 mm AA5083-H116 | 216.8 | 211.5 | -2.4 % |")
 
