@@ -19,7 +19,7 @@ using ogive::SetupError;
 constexpr std::size_t text_results = 2;
 
 /// Results of one plate's shape, from plug_thickness_mm to most_temperature_K: a summary of several plates has none.
-constexpr std::size_t first_of_shape = 3, last_of_shape = 9;
+constexpr std::size_t first_of_shape = 3, last_of_shape = 10;
 
 Texts operator+(Texts a, const Texts &b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -64,7 +64,7 @@ const Texts &key_columns() {
 
 const Texts &result_columns() {
   static const Texts columns = options::split(
-      "residual_velocity_mps,perforated,plug_mass_g,plug_thickness_mm,dishing_mm,kept_fraction,petal_height_mm,"
+      "residual_velocity_mps,perforated,plug_mass_g,plug_thickness_mm,dishing_mm,kept_fraction,petal_height_mm,petals,"
       "band_temperature_K,core_temperature_K,most_temperature_K,hourglass_fraction,energy_error,momentum_error,"
       "largest_intrusion_mm,particles,simulated_us,steps,wall_s,cpu_s,threads,state_hash,version",
       ',');
@@ -158,7 +158,8 @@ std::vector<Row> read_rows(const fs::path &file, const Texts &own_columns) {
       if (first && csv.fields[k] != columns[k]) throw SetupError(where + ": must be the column " + columns[k]);
       const bool is_number =
           (k >= thickness_column && k <= spacing_column) || (k >= keys && k + text_results < columns.size());
-      const bool may_be_empty = is_of_verdict(columns[k]) && csv.fields[k].empty();
+      // Rows of versions that did not count petals have an empty field there.
+      const bool may_be_empty = (is_of_verdict(columns[k]) || columns[k] == "petals") && csv.fields[k].empty();
       if (!first && is_number && !may_be_empty && !std::isfinite(ogive::number_from(csv.fields[k]).value_or(NAN)))
         throw SetupError(where + ": must be a finite number");
     }

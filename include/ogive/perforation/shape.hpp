@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace ogive {
@@ -16,6 +17,7 @@ template <class T> struct PlateShape {
   T dishing{};          ///< m, mean deflection at radii of 1.4 R to 1.6 R, positive in the direction of flight
   T kept_fraction{};    ///< of the mass in the projectile's way (radius < R) that still hangs on the plate
   T petal_height{};     ///< m, how far what hangs on the plate reaches beyond its undeformed rear face
+  int petals = 0;       ///< around the hole of the whole model, see count_petals()
   T band_temperature{}; ///< K, mean within one particle distance of the radius R
   T core_temperature{}; ///< K, mean within R/2
   T most_temperature{}; ///< K, of the hottest particle
@@ -43,6 +45,50 @@ T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, s
   return weight > T(0) ? sum / weight : T(0);
 }
 
+/// Petals of a rim whose height (m) above the rear face is given at equal angles around the whole hole. A petal stands
+/// between two notches where less than half of the mean height is left; a rim that is lower than `least_height` (m) has
+/// none, and neither has a tube without notches.
+template <class T> int count_petals(const std::vector<T> &height, T least_height) {
+  T mean{};
+  for (const T h : height) mean += h / static_cast<T>(height.size());
+  if (!(mean > least_height)) return 0;
+  // Between the two bounds the state of the angle before holds, so that roughness of the rim does not count.
+  int state = 0, first = 0, changes = 0;
+  for (const T h : height) {
+    const int here = h > mean ? 1 : h < mean / T(2) ? -1 : state;
+    if (first == 0) first = here;
+    if (state != 0 && here != state) ++changes;
+    state = here;
+  }
+  if (first != 0 && state != first) ++changes;
+  return changes / 2;
+}
+
+/// Height of what hangs on a plate above its undeformed rear face (m), by the angle of the undeformed plate about its
+/// axis: of each of the equal angles of the whole circle the greatest. `reach(i)` is the height of particle i, or 0.
+/// Angles are as wide as two particle distances at `radius` (m), so that none is empty.
+template <class M, class T, class Reach>
+std::vector<T> rim_height(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, T spacing, Reach &&reach) {
+  const auto per_quarter =
+      static_cast<std::size_t>(std::max(T(2), std::floor(std::numbers::pi_v<T> / T(4) * radius / spacing)));
+  std::vector<T> height(4 * per_quarter, T(0));
+  const T angle = T(2) * std::numbers::pi_v<T> / static_cast<T>(height.size());
+  const auto raise = [&](T x, T y, T h) {
+    const T turned = std::atan2(y, x) + (y < T(0) ? T(2) * std::numbers::pi_v<T> : T(0));
+    const auto k = std::min(static_cast<std::size_t>(turned / angle), height.size() - 1);
+    height[k] = std::max(height[k], h);
+  };
+  for (std::size_t i = 0; i < undeformed.size(); ++i) {
+    const T h = reach(static_cast<Index>(i));
+    if (!(h > T(0))) continue;
+    for (const T x : {T(1), T(-1)})
+      for (const T y : {T(1), T(-1)})
+        if ((x > T(0) || model.symmetry.x) && (y > T(0) || model.symmetry.y))
+          raise(x * undeformed[i][0], y * undeformed[i][1], h);
+  }
+  return height;
+}
+
 /// A plate's shape now, from its particles and their undeformed positions (m), for a projectile of this radius (m) and
 /// a plate at `plate`.
 template <class M, class T>
@@ -58,6 +104,7 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   };
   Mean front, rear, kept, band, core;
   PlateShape<T> shape;
+  std::vector<T> reach(body.points.size(), T(0));
   for (Index i = 0; i < body.points.size(); ++i) {
     const Vec3<T> &x0 = undeformed[i], &x = model.nodes.position[body.nodes.begin + i];
     const T r = std::hypot(x0[0], x0[1]), mass = body.point_mass[i], temperature = body.points.temperature[i];
@@ -67,7 +114,7 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
       if (x0[2] < spacing - rear_face) rear.add(x[2], mass);
     }
     if (r < radius) kept.add(hangs ? T(1) : T(0), mass);
-    if (hangs) shape.petal_height = std::max(shape.petal_height, -x[2] - rear_face + spacing / T(2));
+    if (hangs) reach[i] = -x[2] - rear_face + spacing / T(2);
     if (std::abs(r - radius) < spacing) band.add(temperature, mass);
     if (r < radius / T(2)) core.add(temperature, mass);
     shape.most_temperature = std::max(shape.most_temperature, temperature);
@@ -75,6 +122,9 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   if (front.weight > T(0) && rear.weight > T(0)) shape.plug_thickness = front.value() - rear.value() + spacing;
   shape.dishing = dishing_of(model, undeformed, radius, layer);
   shape.kept_fraction = kept.value();
+  for (const T h : reach) shape.petal_height = std::max(shape.petal_height, h);
+  shape.petals =
+      count_petals(rim_height(model, undeformed, radius, spacing, [&](Index i) { return reach[i]; }), T(2) * spacing);
   shape.band_temperature = band.value();
   shape.core_temperature = core.value();
   return shape;
