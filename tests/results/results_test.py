@@ -552,7 +552,7 @@ class Tables(unittest.TestCase):
                           "/a/b/aa6061_t651.toml,fsp_20mm,12.7,24,150,1,204.9")
         self.assertEqual(self.table("accuracy")[-3:], [
             "| blunt, 6 to 20 mm Weldox 460 E | 1 | -4.0 % | -4.0 % | chosen on |",
-            "| cone, 15 to 30 mm AA5083-H116 | 1 | -2.4 % | -2.4 % | known |",
+            "| cone, 15 to 25 mm AA5083-H116 | 1 | -2.4 % | -2.4 % | known |",
             "| 20 mm fragment simulator, 12.7 mm AA6061-T651 | 1 | -6.0 % | -6.0 % | chosen on |"])
         # Mean of two arrangements; the brackets allow (2.5^2 + 2^2) / 6, the limits differ by 0.75^2 * 2.
         half = 6.3138 * math.sqrt((2.5 ** 2 + 2 ** 2) / 6 / 2)
