@@ -80,6 +80,11 @@ def read_options():
     option("--page", action="store_true", dest="page_only", help="run nothing; make tables and plot of what is known")
     option("--jobs", type=positive, help="cases at a time")
 
+    option = command("gallery", "gallery", "make_gallery", "print the gallery of docs/gallery.md")
+    option("--run", dest="run_missing", action="store_true", help="run and draw the shots that bench/rows lacks, first")
+    option("--program", type=Path, help="[build/release/apps/ogive, which is built]")
+    inserted(option)
+
     option = command("fits", "fits", "make_fits", "fit the laws to synthetic curves (Figs. 1 to 3) and print their tables")
     option("--curves", type=Path, help="folder with measured curves instead: weldox_460e.csv, aa5083_h116.csv or both")
     option("--folder", type=Path, default=ROOT / "build" / "figures_1_to_3", help="for the fits [build/figures_1_to_3]")

@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 
-from results import cavity, figures, fits, limits, sweeps, tables, validation  # noqa: E402
+from results import cavity, figures, fits, gallery, limits, sweeps, tables, validation  # noqa: E402
 from results.checks import Bound, Result, run_checks  # noqa: E402
 from results.data import Results, Tests, cubic_particles, ended_by_time, read_shots, short  # noqa: E402
 from results.page import from_markdown  # noqa: E402
@@ -628,6 +628,46 @@ class Tables(unittest.TestCase):
                                   f"--out {folder}")
         self.assertTrue(said[-1].endswith(f",{folder}/floor_100.toml"))
         self.assertEqual((folder / "floor_100.toml").read_text(), 'name = "floor_100"\nrate_floor_per_s = 100\n')
+
+
+class Gallery(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+    def test_page_is_that_of_the_rows(self):
+        root = SCRIPTS.parent
+        rows = gallery.kept()
+        self.assertEqual([case["name"] for case in gallery.cases()], list(rows), "scripts/results.sh gallery --run --insert")
+        self.assertIn(gallery.text_of(rows), (root / "docs" / "gallery.md").read_text(encoding="utf-8"))
+        for name in rows:
+            self.assertLessEqual((gallery.PICTURES / f"{name}.png").stat().st_size, gallery.MOST_BYTES)
+        for case in gallery.cases():
+            for word in gallery.shot(case):
+                self.assertTrue(not word.endswith(".toml") or (root / word).is_file(), word)
+
+    def test_missing_shots_are_run_drawn_and_kept(self):
+        program = self.folder / "ogive"
+        program.write_text('#!/bin/sh\nwhile [ "$1" != --out ]; do [ "$1" != --series ] || drawn=yes; shift; done\n'
+                           f'mkdir -p {self.folder}/shots; [ -z "$drawn" ] || {{ echo png > "$2"; exit; }}\n'
+                           'mkdir -p "$2"; echo \'{"verdict": "perforated", "initial_velocity_mps": 200, "residual_velocity_mps": '
+                           '98.7, "plug_mass_g": 12.3, "test_residual_velocity_mps": null, "particles": 9, "cpu_s": 1.25, '
+                           '"version": "0.1.0"}\' > "$2/summary.json"\n')
+        program.chmod(0o755)
+        one = {"name": "one", "text": "One", "material": "../../examples/aa6061_t651.toml", "rigid": "true", "nose": "",
+               "velocity_mps": "200", "spacing_mm": "1.2"}
+        with (mock.patch.object(gallery, "cases", lambda: [one]), mock.patch.object(gallery, "ROWS", self.folder / "rows.csv"),
+              mock.patch.object(gallery, "PICTURES", self.folder / "pictures"),
+              mock.patch.object(gallery, "FOLDER", str(self.folder / "shots")), contextlib.redirect_stderr(io.StringIO())):
+            gallery.run_missing_shots(program)
+            text = gallery.text_of(gallery.kept())
+            one["velocity_mps"] = "210"
+            self.assertEqual({}, gallery.kept())
+        self.assertIn("| ![One](gallery/one.png) | One | 200 m/s before the plate, 99 m/s behind it; plug of 12.3 g | 1.2 | 9 | 1.2 |",
+                      text)
+        self.assertIn(f"ogive shoot --material examples/aa6061_t651.toml --rigid --velocity-mps 200 --spacing-mm 1.2 --out "
+                      f"{self.folder}/shots/one\n", text)
 
 
 class Figures(unittest.TestCase):
