@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""messages_test.py [--insert]: docs/messages.md lists each warning and each fault that stops a run, and no message that is gone.
+"""messages_test.py [--insert]: docs/messages.md lists each warning and each fault that stops a run, and no message that the
+sources lack; docs/setup_errors.md has the table of all set-up errors, which --insert makes.
 
-The messages are the string literals in the calls of the sources that throw or print them; `…` is a value. Wrong input is
-refused by "<thing> = <value>: <allowed>": a table of things and what is allowed is made of these calls; --insert puts it into
-the page.
+Messages are the string literals in the calls that throw or print them, with … for values between them.
 """
 import pathlib
 import re
@@ -14,6 +13,7 @@ from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "messages.md"
+TABLE_PAGE = ROOT / "docs" / "setup_errors.md"
 MARK = "tables: tests/messages_test.py --insert"
 
 TOKEN = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<raw>R"(?P<d>[^(\s"]*)\(.*?\)(?P=d)")|(?P<text>"(?:\\.|[^"\\\n])*")
@@ -58,19 +58,28 @@ def literal(token):
     return FORMAT.sub(GAP, text).replace("%%", "%")
 
 
+def is_text(tokens, k):
+    """Whether a token is part of a message: no key in brackets or in at(), and nothing that is compared."""
+    before = "".join(token.text for token in tokens[max(0, k - 2):k])
+    return tokens[k].kind == "text" and not before.endswith(("[", "at(", "=="))
+
+
 def message(tokens):
     """The literals of an expression with … for what is between them; of a choice both texts, with "or" between."""
-    text, k = "", 0
+    text, begins, k = "", [0], 0
     while k < len(tokens):
-        is_choice = tokens[k].text == "?" and k + 3 < len(tokens) and tokens[k + 1].kind == "text" and tokens[k + 2].text == ":" \
-            and tokens[k + 3].kind == "text"
-        if is_choice:
-            both = [literal(tokens[k + 1]), literal(tokens[k + 3])]
-            text = text.removesuffix(GAP) + (" or ".join(both) if all(part.strip() for part in both) else "".join(both))
+        sign = tokens[k].text if tokens[k].kind == "sign" else ""
+        if sign == "?" and [token.kind for token in tokens[k + 1:k + 4]] == ["text", "sign", "text"]:
+            both = [part for part in (literal(tokens[k + 1]), literal(tokens[k + 3])) if part]
+            text = text[:begins[-1]] + " or ".join(both)  # without the condition
             k += 3
-        elif tokens[k].kind == "text":
+        elif is_text(tokens, k):
             text += literal(tokens[k])
-        elif tokens[k].text not in "+()" and not text.endswith(GAP):
+        elif sign == "(":
+            begins.append(len(text))
+        elif sign == ")" and len(begins) > 1:
+            begins.pop()
+        elif sign not in ("+", "(", ")") and not text.endswith(GAP):
             text += GAP
         k += 1
     return re.sub(f"{GAP}+", GAP, text).strip()
@@ -114,6 +123,7 @@ def statements(tokens):
 PRINTERS = {"apps/shot/run.cpp", "apps/ogive/materials/materials.cpp", "apps/study/study.cpp"}
 WARNINGS = {("include/ogive/material/doubts.hpp", "push_back", "doubts"), ("apps/materials/certificate.cpp", "push_back", "warnings"),
             ("apps/shot/plates.cpp", "push_back", "all"), ("apps/shot/plates.cpp", "add", "")}
+NOTES = "messages"  # of ogive calibrate, a list of this name; a lambda `note` adds to it
 # Where the line of a fault is streamed into `what`.
 FAULT_FILES = ("include/ogive/sim/guard.hpp", "include/ogive/sim/run.hpp")
 PROGRESS = "apps/shot/progress.hpp"  # the line that is overwritten all the time
@@ -135,11 +145,13 @@ def reported(all_sources):
     """(place, text) of each warning, fault, line on standard error and failure to write."""
     found = []
     for file, tokens in all_sources.items():
-        for call in calls_in(file, tokens, {"push_back", "add", "write_error", "fprintf", "node_fault", "Fault"}):
+        for call in calls_in(file, tokens, {"push_back", "emplace_back", "note", "add", "write_error", "fprintf", "node_fault",
+                                            "Fault"}):
             place = f"{file}:{call.line}"
             if file == PROGRESS:
                 continue
-            if call.name in ("push_back", "add") and (file, call.name, call.receiver) not in WARNINGS:
+            if call.name in ("push_back", "emplace_back", "add") and call.receiver != NOTES and (
+                    file, call.name, call.receiver) not in WARNINGS:
                 continue
             if call.name == "fprintf":
                 found.append((place, re.sub(r"^(?:ogive \w+|…): ", "", call.arguments[1])))
@@ -155,13 +167,9 @@ def reported(all_sources):
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}(?::[A-Z]{3,})?\b|(?<![\w.])\d+(?:\.\d+)?(?![\w.])")
 
 
-def tables_by_hand(page):
-    return re.sub(rf"(?s)<!-- {MARK} -->.*?<!-- {MARK} -->", "", page)
-
-
 def spans(page):
     """The messages in the first column of the tables, with … for values."""
-    for line in tables_by_hand(page).splitlines():
+    for line in page.splitlines():
         if line.startswith("| ") and not line.startswith(("| message", "| status")):
             for span in re.findall(r"`([^`]+)`", line.split(" | ")[0]):
                 yield span
@@ -206,23 +214,34 @@ REFUSALS = {"require", "refuse", "refuse_value", "refuse_line", "refuse_checkpoi
 DEFINITIONS = ("include/ogive/core/error.hpp", "apps/options/given.hpp:64", "apps/options/given.hpp:69")
 
 
+# Texts that begin so are about a file or a line.
+PREDICATE = re.compile(r"(?:must|needs?|is|has|have|had|was|were|lies|cannot|ends|its|overlaps|straddles|moves|does|no|contradicts|only|belongs|"
+                       r"unexpected|unknown|model|a|the|every|takes|holds|gives)\b")
+
+
+def without_gap(text):
+    return re.sub(f"^(?:{GAP}:? ?)+(?=.)", "", text).strip(" ;:=,")
+
+
 def refusal(call):
     """(thing, what is allowed) of a call; None if both are values."""
-    parts = call.arguments[1 if call.name == "require" else 0:]
-    text = parts[-1]
-    thing = parts[0] if len(parts) > 1 else ""
-    if call.name in ("SetupError", "refuse_line", "refuse_checkpoint", "read_error") or len(parts) == 1:
-        # "thing = value: allowed" in one text.
-        thing, found, allowed = text.rpartition(": ")
-        thing, text = (thing, allowed) if found else ("", text)
-    thing = re.sub(f"( = {GAP})$", "", re.sub(f"^(?:{GAP}:? ?)+(?=.)", "", thing)).strip(" =:,")
-    text = re.sub(f"^(?:{GAP}:? ?)+(?=.)", "", text).strip(" ;:")
+    parts = call.arguments[1 if call.name in ("require", "refuse_value") else 0:]
+    if call.name in ("require", "refuse", "refuse_value") and len(parts) > 1:
+        thing, text = parts[0], parts[-1]
+    else:  # "thing = value: allowed" in one text
+        thing, text = "", without_gap(parts[-1])
+        if not PREDICATE.match(text) and ": " in text:
+            thing, text = text.split(": ", 1)
+    thing, text = without_gap(re.sub(f" = {GAP}$", "", thing)), without_gap(text)
+    thing = re.sub(rf"^(\w+) = {GAP}\1{GAP}$", r"\1", thing.replace(" =  or ", " or "))
+    if re.fullmatch(r"[a-z]+(?:_[a-z]+)*", thing) and call.file.startswith("apps/shot"):
+        thing = "--" + thing.replace("_", "-")
     is_known = re.search(r"[a-z]{3}", re.sub(rf"must be (?:one of )?{GAP}|{GAP}|or empty", "", text))
     return (thing, text) if is_known else None
 
 
 def cell(text):
-    return text.replace("|", "\\|").replace("<", "\\<").replace("*", "\\*").replace("_", "\\_")
+    return re.sub(r"([<>*_#|\[\]])", r"\\\1", text)
 
 
 def setup_table(all_sources):
@@ -234,14 +253,14 @@ def setup_table(all_sources):
             if call.receiver or f"{file}:{call.line}".startswith(DEFINITIONS) or not (found := refusal(call)):
                 continue
             things = groups[title].setdefault(found[1], [])
-            if found[0] not in things:
+            if found[0] not in ("", GAP, *things):
                 things.append(found[0])
     parts = []
     for title, rows in groups.items():
-        lines = [f"| {', '.join(cell(thing) for thing in things if thing not in ('', GAP)) or GAP} | {cell(allowed)} |"
-                 for allowed, things in rows.items()]
-        parts.append("\n".join([f"### {title}", "", "| option or quantity | allowed, or what is wrong |", "|---|---|", *lines]))
-    return "\n\n".join(["Made by `tests/messages_test.py --insert` from the sources. `…` is a value or a name.", *parts])
+        lines = [f"| {', '.join(f'`{thing}`' for thing in things) or GAP} | {cell(allowed)} |"
+                 for allowed, things in sorted(rows.items(), key=lambda row: not row[1])]
+        parts.append("\n".join([f"## {title}", "", "| option, key or quantity | allowed, or what is wrong |", "|---|---|", *lines]))
+    return "\n\n".join(["Made by `tests/messages_test.py --insert` from the sources of the version of this page.", *parts])
 
 
 class Messages(unittest.TestCase):
@@ -268,7 +287,7 @@ class Messages(unittest.TestCase):
         self.assertEqual(PRINTERS, printers)
 
     def test_set_up_errors_are_those_of_the_sources(self):
-        marked = re.search(rf"(?s)<!-- {MARK} -->\n\n(.*?)\n\n<!-- {MARK} -->", self.page)
+        marked = re.search(rf"(?s)<!-- {MARK} -->\n\n(.*?)\n\n<!-- {MARK} -->", TABLE_PAGE.read_text(encoding="utf-8"))
         self.assertTrue(marked and marked[1] == setup_table(self.sources), "run tests/messages_test.py --insert")
 
     def test_reading(self):
@@ -289,6 +308,6 @@ if __name__ == "__main__":
         sys.dont_write_bytecode = True
         sys.path.insert(0, str(ROOT / "scripts"))
         from results.insert import insert
-        insert(PAGE, setup_table(sources()), MARK)
+        insert(TABLE_PAGE, setup_table(sources()), MARK)
     else:
         unittest.main()
