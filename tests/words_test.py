@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """words_test.py [OGIVE]: the documents and the help of the program are in the English of technical reports, and links work.
 
-Reads README.md, CONTRIBUTING.md, the pages in docs/ and, with a program, `ogive --help` and `ogive COMMAND --help-all`.
-Code, addresses and generated tables are not read. Each find is reported with its file, its line and the remedy.
+Reads README.md, CONTRIBUTING.md, the pages in docs/, the comments of the sources and, with a program, `ogive --help` and
+`ogive COMMAND --help-all`. Code, addresses and generated tables are not read. Each find is reported with its file, its line and the remedy.
 """
 import bisect
 import functools
@@ -102,6 +102,14 @@ def documents():
     return {str(page.relative_to(ROOT)): prose(page.read_text(encoding="utf-8")) for page in pages}
 
 
+def comments():
+    """The comments of headers, programs and examples, in their lines."""
+    files = [file for folder in ("include", "apps", "examples") for file in sorted((ROOT / folder).rglob("*.[ch]pp"))]
+    comment = re.compile(r'^(?:[^"]|"(?:\\.|[^"\\])*")*?//[/!]?<? ?(.*)')
+    return {str(file.relative_to(ROOT)): "\n".join(found[1] if (found := comment.match(line)) else "" for line in
+                                                   file.read_text(encoding="utf-8").splitlines()) for file in files}
+
+
 @functools.cache
 def help_texts():
     def text_of(*arguments):
@@ -122,6 +130,11 @@ class Words(unittest.TestCase):
 
     def test_documents(self):
         self.assert_plain(documents())
+
+    def test_comments(self):
+        finds = [f"{name}:{line_of(text, place)}: \"{' '.join(words.split())}\": {remedy}" for name, text in comments().items()
+                 for place, words, remedy in bad_words(text) if words != "What"]  # which may begin a title
+        self.assertEqual([], finds, "\n" + "\n".join(finds))
 
     @unittest.skipUnless(OGIVE, "needs the program")
     def test_help(self):

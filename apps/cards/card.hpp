@@ -9,7 +9,7 @@
 #include <vector>
 
 /// \file
-/// What a material card of another program says, in the units of the card.
+/// A material card of another program, in the units of the card.
 
 namespace cards {
 

@@ -45,7 +45,7 @@ template <class Law> void set_hardening(ogive::Metal<double, Law> &metal, Law la
   metal.flow = law;
 }
 
-/// What the certificate says, for the source.
+/// The numbers of the certificate, for the source.
 std::string text_of(const Certificate &c) {
   std::string text = printed("yield %g MPa, tensile strength %g MPa, Young's modulus %g GPa", c.numbers.yield / 1e6,
                              c.numbers.strength / 1e6, c.numbers.young / 1e9);

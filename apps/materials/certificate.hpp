@@ -12,7 +12,7 @@
 
 namespace materials {
 
-/// What a mill certificate says.
+/// The numbers of a mill certificate.
 struct Certificate {
   ogive::TensileNumbers numbers;
   std::optional<double> elongation{};         ///< at fracture, engineering strain
@@ -20,7 +20,7 @@ struct Certificate {
   std::optional<double> reduction_of_area{};  ///< at fracture, 0 to 1
 };
 
-/// A metal, and what is to be said of it, a line for each.
+/// A metal with notes and warnings, a line for each.
 struct CertifiedMetal {
   AnyMetal metal;
   std::vector<std::string> notes;
@@ -32,7 +32,7 @@ struct CertifiedMetal {
 std::string kind_of(double young);
 
 /// The metal of a certificate with the power law, or with Voce's law (then with `uniform_elongation`). What a
-/// certificate does not say is that of the metal of the library `like`: density, Poisson's ratio, heat, temperatures,
+/// certificate lacks is that of the metal of the library `like`: density, Poisson's ratio, heat, temperatures,
 /// effects of rate and temperature. It has no constants of damage but W_cr, and that with a reduction of area alone.
 /// Throws SetupError.
 CertifiedMetal metal_of(const Certificate &certificate, Model law, const std::string &like, const std::string &name);

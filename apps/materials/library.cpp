@@ -149,7 +149,7 @@ std::string library_list() {
     const AnyMetal metal = find_metal(std::string(entry.name), Model::mjc, "list");
     text += row(metal, entry.make == nullptr ? name_of(model_of(metal)) : "mjc, jc");
   }
-  text += "\nSteels of projectiles, for --projectile-metal alone, which takes all others, too:\n\n";
+  text += "\nSteels of projectiles, for --projectile-metal only; it takes all others as well:\n\n";
   for (const auto &projectile : projectile_metals()) text += row(projectile, name_of(Model::bilinear));
   return text + "\nWhat is from memory has low confidence: check it against its source before you rely on it.\n";
 }

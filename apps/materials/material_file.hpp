@@ -25,7 +25,7 @@ using AnyMetal =
                  ogive::Metal<double, ogive::JohnsonCook<double>>, ogive::Metal<double, ogive::Voce<double>>,
                  ogive::Metal<double, ogive::PowerLaw<double>>, ogive::Metal<double, ogive::Bilinear<double>>>;
 
-/// The metal in a file. Damage is off whatever constants of it there are: the run chooses. Throws SetupError, one line:
+/// The metal in a file. Damage is disabled whatever its constants: the run chooses. Throws SetupError, one line:
 /// all keys that are missing or superfluous, or file, line, key, value and what is allowed; "<what> = <file>: ..." if
 /// the file cannot be read or is larger than 1 MiB.
 AnyMetal read(const std::filesystem::path &file, const std::string &what = "material");

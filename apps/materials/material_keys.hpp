@@ -18,7 +18,7 @@ enum class Group {
   work    ///< damage by Cockcroft-Latham
 };
 
-/// One key. Its unit stands in its name; the member is in SI, 10^power times as large.
+/// One key. Its unit is in its name; the member is in SI, 10^power times as large.
 struct Key {
   const char *name;
   const char *meaning;

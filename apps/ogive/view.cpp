@@ -38,7 +38,7 @@ options::Table table_of(ViewOptions &o) {
       .brief = "above the page"});
   add(t, o.frames, {.key = "frames", .meaning = "times at most; of a longer series some are left out, at even distances",
       .source = "ours", .brief = "times at most", .limits = {1, 1000}});
-  add(t, o.fields, {.key = "fields", .meaning = "fields to choose from; speed_m_per_s is the amount of the velocity",
+  add(t, o.fields, {.key = "fields", .meaning = "fields to choose from; speed_m_per_s is the magnitude of the velocity",
       .source = "plastic_strain, temperature_K, von_mises_MPa, pressure_MPa, damage, speed_m_per_s: ours",
       .brief = "fields to choose from"}).placeholder = "NAME,NAME,...";
   add_extent(t, o.extent);

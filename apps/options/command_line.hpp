@@ -13,7 +13,7 @@ namespace options {
 /// The arguments after the program's name.
 using Arguments = std::vector<std::string>;
 
-/// What the help of a program says besides its table.
+/// The texts of a program's help besides its table.
 struct Command {
   std::string name;         ///< "ogive shoot"
   std::string purpose;      ///< lines of text below the name
@@ -24,8 +24,8 @@ struct Command {
   std::string positional{}; ///< key of the option that takes an argument without a flag; empty: none does
 };
 
-/// What a command line says: the last one of each flag, or all values of a flag that takes several, in the order of the
-/// table.
+/// The options of a command line: the last one of each flag, or all values of a flag that takes several, in the order
+/// of the table.
 struct CommandLine {
   std::optional<std::string> config;
   std::vector<Given> given;
@@ -34,7 +34,7 @@ struct CommandLine {
   const Given *find(std::string_view key) const;
 };
 
-/// Reads a command line. Nothing if --help, --help-all or --version was asked for and has been written to `text`.
+/// Reads a command line. Nothing after --help, --help-all or --version, whose text has been written to `text`.
 /// Throws SetupError, one line, for unknown flags, superfluous arguments and flags without a value.
 std::optional<CommandLine> read_command_line(const Command &command, const Table &table, const Arguments &arguments,
                                              std::ostream &text);

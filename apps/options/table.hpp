@@ -17,7 +17,7 @@ enum class Values { none, one, several };
 /// What a value is.
 enum class Kind { number, whole, truth, choice, text, file, numbers, texts, other };
 
-/// What a program says of one option. The flag is `key` with hyphens and two in front.
+/// The texts about one option. The flag is `key` with hyphens and two in front.
 struct Entry {
   const char *key = "";
   const char *meaning = ""; ///< for --help-all
@@ -102,7 +102,7 @@ void apply(const Table &table, Origins &origins, const Given &given);
 std::vector<Given> entries_of(const Table &table, std::string_view text, const std::string &file,
                               const std::string &example);
 
-/// The options as TOML, grouped by comments, without those that `left_out` says.
+/// The options as TOML, grouped by comments, without those for which `left_out` is true.
 std::string to_toml(const Table &table, const std::function<bool(const Option &)> &left_out, bool with_groups = true);
 
 /// The value as a person reads it.

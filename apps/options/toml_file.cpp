@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "toml_file.hpp"
 
-// Errors are caught here, whatever the flags of a project say.
+// Errors are caught here, whatever the flags of a project.
 #undef TOML_EXCEPTIONS
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
@@ -19,7 +19,7 @@ std::string place(const std::string &file, const toml::source_region &source) {
   return file + ":" + std::to_string(source.begin.line);
 }
 
-/// The text of a number as it stands in the file: a double of it is rounded before its unit is converted. `parsed`
+/// The text of a number as written in the file: a double of it is rounded before its unit is converted. `parsed`
 /// instead where that cannot be found or is not plain decimal.
 std::string written(const std::vector<std::string> &lines, const toml::source_region &source, double number,
                     const std::string &parsed) {

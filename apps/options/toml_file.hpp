@@ -13,7 +13,7 @@ namespace options {
 std::string text_of_file(const std::filesystem::path &name, const std::string &what, const std::string &kind = "TOML",
                          std::size_t most_mebibytes = 1);
 
-/// The entries of TOML text, ordered by key. A number's value is the text that stands there. Throws SetupError with
+/// The entries of TOML text, ordered by key. A number's value is its text in the file. Throws SetupError with
 /// file and line for damaged text, and for text so deeply nested that it would overflow the stack; `example` is a line
 /// that would be right.
 std::vector<Given> toml_entries(std::string_view text, const std::string &file, const std::string &example);

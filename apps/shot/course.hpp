@@ -9,7 +9,7 @@
 #include <vector>
 
 /// \file
-/// What a run has found and written so far, besides its model: with that, all that it needs to go on.
+/// What a run has found and written so far, besides its model: with that, all that it needs to resume.
 
 namespace shot {
 

@@ -150,7 +150,7 @@ void read_notes(const ogive::Checkpoint &checkpoint, Result &shot, Course &cours
                         !shot.flight.samples.empty() && course.frames >= 0 &&
                         shot.flight.state <= ogive::FlightState::stopped &&
                         shot.flight.state >= ogive::FlightState::in_progress && std::isfinite(course.next_frame_us);
-  if (!possible) ogive::refuse_checkpoint(checkpoint.file, "is damaged: its notes cannot be");
+  if (!possible) ogive::refuse_checkpoint(checkpoint.file, "is damaged: its notes have impossible values");
 }
 
 std::string notes_of(const Options &o, const Plates &plates, Result &shot, Course &course, double time_us) {

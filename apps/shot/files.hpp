@@ -17,8 +17,8 @@ struct Files {
 };
 
 /// Writes material.toml (material_1.toml and so on for plates of several metals) and case.toml and removes the results
-/// of an earlier run from the folder; its checkpoint gets another name, unless this run goes on from it. A material
-/// file that the user has there under that name is left as it is. Throws WriteError.
+/// of an earlier run from the folder; its checkpoint gets another name, unless this run resumes from it. A material
+/// file that the user has there under that name is not changed. Throws WriteError.
 void start_results(const Options &options, const Plates &plates);
 
 /// True if the run resumes in the folder of its checkpoint.
@@ -27,7 +27,7 @@ bool is_in_place(const Options &options);
 /// Text of the file case.toml that start_results() writes.
 std::string case_text(const Options &options);
 
-/// Starts the files of a run or goes on with them where `course` says: later rows and frames are dropped. Throws
+/// Starts the files of a run, or resumes them at the place in `course`: later rows and frames are dropped. Throws
 /// WriteError.
 Files open_files(const Options &options, const Course &course);
 

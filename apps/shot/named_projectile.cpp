@@ -39,7 +39,7 @@ constexpr std::array<std::string_view, 21> keys{"nose",
                                                 "projectile_metal",
                                                 "rigid"};
 
-/// A name that says no more than a nose: --nose.
+/// A name that means a nose and nothing else: --nose.
 bool is_nose(std::string_view name) {
   for (const Nose nose : ogive::all_noses)
     if (name == ogive::name(nose) && nose != Nose::profile && nose != Nose::mesh) return true;

@@ -10,7 +10,7 @@
 
 namespace shot {
 
-/// Options of the group "Projectile" that say what the projectile is, and not how it flies.
+/// Options of the group "Projectile" that describe the projectile itself, not its flight.
 bool is_of_projectile(std::string_view key);
 
 /// True unless the value of `projectile` is one of the older "deformable" and "rigid".
@@ -32,7 +32,7 @@ std::string projectile_given(const options::Given &given);
 /// the one that the name of the file counts from. Throws SetupError.
 Level level_of_projectile(const options::Given &given, const std::filesystem::path &folder);
 
-/// Copies all options that say what the projectile is.
+/// Copies all options that describe the projectile itself.
 void copy_projectile(const Options &from, Options &to);
 
 /// Takes back what earlier levels gave of the projectile.

@@ -41,7 +41,7 @@ struct Restart {
   bool operator==(const Restart &) const = default;
 };
 
-/// One run, in the units that the names say. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
+/// One run, in the units that the names have. The defaults are the main job: Weldox 460 E, MJC, 12 mm, blunt.
 struct Options {
   Method method = Method::stabilised;
   std::string material = "weldox_460e"; ///< a name of the library, or a file that ends in .toml

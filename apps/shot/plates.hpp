@@ -21,7 +21,7 @@ std::string material_label(const Options &options);
 /// The materials of all plates, from front to rear.
 std::vector<std::string> materials_of(const Options &options);
 
-/// Forgets what an earlier level says of the plates where a key of a later one says otherwise: one plate or several,
+/// Forgets what an earlier level gives for the plates where a key of a later one contradicts it: one plate or several,
 /// and one material or several.
 void override_layers(Options &options, options::Origins &origins, const std::string &key);
 

@@ -10,13 +10,13 @@
 
 namespace shot {
 
-/// Length of the nose, mm, unless the user says so: that of the paper's, scaled with the diameter.
+/// Length of the nose, mm, unless the user gives it: that of the paper's, scaled with the diameter.
 double default_nose_length_mm(const Options &options);
 
-/// Length from tip to tail, mm, unless the user says so: with the shank of the paper's, scaled with the diameter.
+/// Length from tip to tail, mm, unless the user gives it: with the shank of the paper's, scaled with the diameter.
 double default_length_mm(const Options &options);
 
-/// Diameter of the flat at the tip, mm, or width of that of a chisel, unless the user says so: that of the paper's,
+/// Diameter of the flat at the tip, mm, or width of that of a chisel, unless the user gives it: that of the paper's,
 /// scaled with the diameter.
 double default_tip_diameter_mm(const Options &options);
 

@@ -22,7 +22,7 @@ nlohmann::ordered_json summary_of(const Options &options, const Result &shot,
 /// Writes summary.json. Throws WriteError.
 void write_summary(const Options &options, const Result &shot, const std::optional<experiment::Residual> &test);
 
-/// Draws section.png and velocity.svg; what cannot be drawn is said in the text returned, and left out.
+/// Draws section.png and velocity.svg. Returns a line for each picture that cannot be drawn, with the reason.
 std::string draw(const Options &options, const Result &shot, const std::optional<experiment::Residual> &test);
 
 /// Prints the closing table.

@@ -51,7 +51,7 @@ Options restarted(const std::string &name, const std::vector<Given> &all) {
   std::string flags;
   for (const auto key : changeable) flags += (flags.empty() ? "" : ", ") + options::flag_of(key);
   for (const Given &given : all)
-    if (!is_changeable(given.key)) refuse(given, "the case is that of --restart; what may be given is " + flags);
+    if (!is_changeable(given.key)) refuse(given, "the case is that of --restart; only these may be given: " + flags);
 
   const std::filesystem::path file = name;
   const SavedCase saved = read_saved_case(file);

@@ -70,10 +70,10 @@ std::string described(const ogive::Fault &fault) {
   switch (fault.kind) {
   case inverted:
   case small_step:
-    remedy = "; a projectile that is overloaded may be --rigid, and --element one_point bears more";
+    remedy = "; try --rigid, or --element one_point";
     break;
   case lost:
-    remedy = "; a finer --spacing-mm or a larger --contact-stiffness holds it";
+    remedy = "; try a finer --spacing-mm or a larger --contact-stiffness";
     break;
   case energy:
   case not_finite:

@@ -5,7 +5,7 @@
 #include <string>
 
 /// \file
-/// The part of a checkpoint that tells how to build its model.
+/// The part of a checkpoint from which its model is built.
 
 namespace shot {
 

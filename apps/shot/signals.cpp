@@ -36,11 +36,11 @@ SignalCatcher::SignalCatcher() {
   caught = 0;
   struct sigaction noting {};
   noting.sa_handler = note_signal;
-  // A write that is under way goes on.
+  // A write that is under way is completed.
   noting.sa_flags = SA_RESTART;
   for (std::size_t k = 0; k < signals.size(); ++k) {
     ::sigaction(signals[k], nullptr, &before[k]);
-    // Programs in the background of a script and those that nohup starts are to go on.
+    // Programs in the background of a script and those that nohup starts must not stop.
     if (before[k].sa_handler != SIG_IGN) ::sigaction(signals[k], &noting, nullptr);
   }
 }

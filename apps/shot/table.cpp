@@ -67,7 +67,7 @@ void add_plate(Table &t, Options &o) {
       "to rear, instead of --thickness-mm", .source = "none: one plate",
       .brief = "several plates instead, from front to rear", .limits = {0.05, 500, "mm"}});
   add(t, o.gaps_mm, {.key = "gaps_mm",
-      .meaning = "free distances between the plates of --layers-mm, one for all or one less than plates",
+      .meaning = "gaps between the plates of --layers-mm: one for all, or one for each pair of neighbours",
       .source = "0: they touch", .limits = {0, 1000, "mm"}});
   Option &layers = options::add_option(t, {.key = "layer_materials",
       .meaning = "of the plates of --layers-mm, one for each",
@@ -89,7 +89,7 @@ void add_plate(Table &t, Options &o) {
 
 void add_projectile_choice(Table &t, Options &o) {
   Option &named = options::add_option(t, {.key = "projectile", .meaning = "a projectile of the library, or a file with "
-      "the options of this group from --nose to --rigid; those that are given beside it override it. Older cases have "
+      "the options of this group from --nose to --rigid; options beside it override single values. Older cases have "
       "deformable or rigid", .source = "deformable: that of --nose and the sizes, of tool steel, paper",
       .brief = "a projectile by name, or your FILE.toml"}, options::Kind::other, "NAME|FILE.toml");
   named.allowed_text = allowed_projectiles();

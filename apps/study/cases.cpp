@@ -27,7 +27,7 @@ void require_known(const options::Table &table, const std::string &key, const st
     if (option.group != shot::run_group || key == "end_us" || key == "settle_us" || key == "output_every_us")
       known.emplace_back(option.key);
   if (std::find(known.begin(), known.end(), key) == known.end())
-    throw SetupError(where + ": " + options::printable(key) + ": is no option of a case" +
+    throw SetupError(where + ": " + options::printable(key) + ": is not an option of a case" +
                      options::nearest_text(key, known) + "; ogive shoot --help-all lists them");
 }
 
@@ -152,7 +152,7 @@ CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<st
       if (!keys.insert(shot.key).second) continue; // the same case twice
       if (!names.insert(shot.name).second)
         throw SetupError(one.place + ": name = " + options::printable(shot.name) +
-                         ": is the name of another case, too");
+                         ": is also the name of another case");
       all.cases.push_back(std::move(shot));
     }
   return all;

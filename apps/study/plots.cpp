@@ -34,7 +34,7 @@ fs::path written(const Points &points, const fs::path &file) {
   return written(csv, file);
 }
 
-/// How a curve looks.
+/// The style and the title of a curve.
 struct Look {
   std::string title, style, colour{};
 };

@@ -136,7 +136,7 @@ Row row_of(const Key &key, const nlohmann::ordered_json &json, const std::string
 nlohmann::ordered_json read_summary(const fs::path &folder) {
   const auto file = folder / "summary.json";
   auto json = nlohmann::ordered_json::parse(read_text(file), nullptr, false);
-  if (!json.is_object()) throw SetupError(file.string() + ": is no summary of a shot");
+  if (!json.is_object()) throw SetupError(file.string() + ": is not the summary of a shot");
   return json;
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("what leaves the physics as it is may be changed, nothing else") {
     std::vector<const char *> arguments{"--restart", file.c_str()};
     arguments.insert(arguments.end(), given.begin(), given.end());
     CHECK(refusal(arguments) == std::string(given[0]) + " = " + given[1] +
-                                    ": the case is that of --restart; what may be given is --end-us, --out, "
+                                    ": the case is that of --restart; only these may be given: --end-us, --out, "
                                     "--output-every-us, --checkpoint-every-us, --vtk, --picture, --quiet, --threads");
   }
   CHECK(refusal({"--restart", file.c_str(), "--end-us", "12"}) ==

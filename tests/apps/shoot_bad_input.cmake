@@ -37,8 +37,8 @@ refuses("${shoot}" "--failure = removal: needs --damage" --damage none --failure
 refuses("${shoot}" "--checkpoint-every-us = -1: must lie between 0 and 100000 us" --checkpoint-every-us -1)
 refuses("${shoot}" "checkpoint = missing.bin: must be a file that can be read" --restart missing.bin)
 refuses("${shoot}" "checkpoint = missing.bin: must be a file that can be read" --restart missing.bin --resume)
-refuses("${shoot}" "checkpoint = a_file: is no checkpoint of ogive" --restart a_file)
-refuses("${shoot}" "--velocity-mps = 250: the case is that of --restart; what may be given is --end-us, --out, " --restart a_file
+refuses("${shoot}" "checkpoint = a_file: is not a checkpoint of ogive" --restart a_file)
+refuses("${shoot}" "--velocity-mps = 250: the case is that of --restart; only these may be given: --end-us, --out, " --restart a_file
         --velocity-mps 250)
 refuses("${shoot}" "--config = damaged.toml: the case is that of --restart" --restart a_file --config damaged.toml)
 refuses("${shoot}" "--restart: needs a value: the name of a checkpoint file" --restart)

@@ -104,7 +104,7 @@ TEST_CASE("a checkpoint with a contact on a facet that is not there is refused")
   auto other = small_model();
   CHECK(refusal([&] {
           restore(read_checkpoint(folder.path / "checkpoint.bin"), other, state);
-        }).find("is damaged: contact facet cannot be") != std::string::npos);
+        }).find("is damaged: contact facet has impossible values") != std::string::npos);
 }
 
 TEST_CASE("a checkpoint puts a model where it was, and leaves no other file") {
@@ -156,7 +156,7 @@ TEST_CASE("a damaged checkpoint is refused wherever the damage is") {
   std::string swapped = whole;
   std::swap_ranges(swapped.begin() + 1000, swapped.begin() + 1100, swapped.begin() + 2000);
   CHECK_THAT(saved.refusal_of(swapped), Catch::Contains("is damaged: its checksum is wrong"));
-  CHECK_THAT(saved.refusal_of(std::string(whole.size(), '\0')), Catch::Contains("is no checkpoint of ogive"));
+  CHECK_THAT(saved.refusal_of(std::string(whole.size(), '\0')), Catch::Contains("is not a checkpoint of ogive"));
 }
 
 TEST_CASE("a checkpoint that is cut short or too long is refused") {
@@ -167,7 +167,7 @@ TEST_CASE("a checkpoint that is cut short or too long is refused") {
     INFO(size << " bytes");
     CHECK_FALSE(saved.refusal_of(whole.substr(0, size)).empty());
   }
-  CHECK_THAT(saved.refusal_of(""), Catch::Contains("is no checkpoint of ogive"));
+  CHECK_THAT(saved.refusal_of(""), Catch::Contains("is not a checkpoint of ogive"));
   CHECK_THAT(saved.refusal_of(whole.substr(0, 5)), Catch::Contains("is cut short or damaged: it has 5 bytes"));
   CHECK_THAT(saved.refusal_of(whole.substr(0, whole.size() - 1)), Catch::Contains("is cut short or damaged"));
   CHECK_THAT(saved.refusal_of(whole + "x"), Catch::Contains("is cut short or damaged"));
@@ -180,7 +180,7 @@ TEST_CASE("foreign files and formats are refused with what is wrong") {
     std::string other = saved.bytes;
     return saved.refusal_of(other.replace(at, bytes.size(), bytes));
   };
-  CHECK_THAT(saved.refusal_of("time_us,velocity_m_per_s\n0,303.5\n"), Catch::Contains("is no checkpoint of ogive"));
+  CHECK_THAT(saved.refusal_of("time_us,velocity_m_per_s\n0,303.5\n"), Catch::Contains("is not a checkpoint of ogive"));
   CHECK_THAT(with(8, "\x01\x02\x03\x04"), Catch::Contains("was written by a machine with another order of bytes"));
   CHECK_THAT(with(12, std::string("\x02\0\0\0", 4)), Catch::Contains("has the format 2, this program reads format 1"));
   // Sizes from nowhere: nothing of that size may be allocated.

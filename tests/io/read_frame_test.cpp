@@ -143,7 +143,7 @@ TEST_CASE("a whole model is not taken for a quarter") {
   add_frame(series, frame);
   CHECK_THROWS_WITH(read_frame(read_series(pvd_path(series)), 1),
                     (folder.path / "frames" / "run_plate_rim_0001.vtu").string() +
-                        ": is not the quarter or half of a model that it is said to be");
+                        ": is not the quarter or half of a model that its symmetry states");
 }
 
 TEST_CASE("a .pvd that is missing, damaged or foreign is named") {

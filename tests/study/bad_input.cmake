@@ -52,7 +52,7 @@ foreach(study sweep limit)
   refuses("${name}" "--out = no_rows: must be a folder with shots*.csv where nothing is run" ${case} --out no_rows --no-run)
   refuses("${name}" "--out = nowhere: must be a folder with shots*.csv" ${case} --out nowhere --no-run)
 endforeach()
-refuses("${OGIVE};sweep" "same_name.csv:3: name = a: is the name of another case, too" same_name.csv --out new)
+refuses("${OGIVE};sweep" "same_name.csv:3: name = a: is also the name of another case" same_name.csv --out new)
 refuses("${OGIVE};sweep" "damaged/shots.1-of-2.csv:1: fields in the row = 2: must be " --vary friction=0,0.1 --out damaged
         --no-run)
 

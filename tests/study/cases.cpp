@@ -78,10 +78,10 @@ TEST_CASE("Variations that are none are errors in one line") {
   const std::string form = "must be NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP";
   for (const std::string text : {"thickness_mm", "=3", "thickness_mm=", ""})
     CHECK(error_of({text}) == "--vary = " + text + ": " + form);
-  CHECK(error_of({"thicknes_mm=6"}) ==
-        "--vary: thicknes_mm: is no option of a case, the nearest is thickness_mm; ogive shoot --help-all lists them");
+  CHECK(error_of({"thicknes_mm=6"}) == "--vary: thicknes_mm: is not an option of a case, the nearest is thickness_mm; "
+                                       "ogive shoot --help-all lists them");
   for (const char *of_the_run : {"out=a,b", "threads=1,2", "quiet=true"})
-    CHECK(error_of({of_the_run}).find("is no option of a case") != std::string::npos);
+    CHECK(error_of({of_the_run}).find("is not an option of a case") != std::string::npos);
   CHECK(error_of({"thickness_mm=6,wide"}).starts_with("--vary thickness_mm = wide: must be a number"));
   CHECK(error_of({"nose=flat"}).starts_with("--vary nose = flat: must be one of "));
   CHECK(error_of({"velocity_mps=1:400:0.01", "thickness_mm=1:40:0.1"}).find("more than 100000 cases") !=
@@ -95,7 +95,8 @@ TEST_CASE("The columns of a list are options of a shot") {
                              ",,8,,\n");
   REQUIRE(list.cases.size() == 2);
   CHECK(list.own_columns == std::vector<std::string>{"friction"});
-  CHECK(names_in(list) == std::vector<std::string>{"thin", "stabilised_mjc_weldox_460e_blunt_8mm_303.5mps_2mm_friction=0"});
+  CHECK(names_in(list) ==
+        std::vector<std::string>{"thin", "stabilised_mjc_weldox_460e_blunt_8mm_303.5mps_2mm_friction=0"});
   CHECK(list.cases[0].options.thickness_mm == 6);
   CHECK(list.cases[0].options.friction == 0.1);
   CHECK(list.cases[0].key.values ==
@@ -121,14 +122,14 @@ TEST_CASE("A material file of a list counts from the folder of the list") {
 TEST_CASE("A case that is listed twice is one case, a name that is given twice an error") {
   CHECK(cases_in("thickness_mm,velocity_mps\n6,200\n8,200\n6,200\n").cases.size() == 2);
   CHECK(cases_in("name,thickness_mm\na,6\nb,6\n").cases.size() == 1);
-  CHECK(error_in("name,thickness_mm\na,6\na,8\n") == "cases.csv:3: name = a: is the name of another case, too");
+  CHECK(error_in("name,thickness_mm\na,6\na,8\n") == "cases.csv:3: name = a: is also the name of another case");
 }
 
 TEST_CASE("A list that cannot be read is an error with file, line and column") {
   CHECK(error_in("thicknes_mm\n6\n") ==
-        "cases.csv:1: thicknes_mm: is no option of a case, the nearest is thickness_mm; "
+        "cases.csv:1: thicknes_mm: is not an option of a case, the nearest is thickness_mm; "
         "ogive shoot --help-all lists them");
-  CHECK(error_in("out\nelsewhere\n").starts_with("cases.csv:1: out: is no option of a case"));
+  CHECK(error_in("out\nelsewhere\n").starts_with("cases.csv:1: out: is not an option of a case"));
   CHECK(error_in("nose,nose\nblunt,blunt\n") == "cases.csv:1: every column must have a name of its own");
   CHECK(error_in("thickness_mm,nose\n6,blunt\n8\n") == "cases.csv:3: fields in the row = 1: must be 2");
   CHECK(error_in("thickness_mm\n6\nwide\n").starts_with("cases.csv:3: thickness_mm = wide: must be a number"));

@@ -195,7 +195,7 @@ TEST_CASE("A row is made of the summary of a shot without a fault") {
 
   const TemporaryFolder folder;
   write(folder.path / "summary.json", "no json");
-  CHECK(message_of([&] { read_summary(folder.path); }).ends_with("summary.json: is no summary of a shot"));
+  CHECK(message_of([&] { read_summary(folder.path); }).ends_with("summary.json: is not the summary of a shot"));
   CHECK(message_of([&] {
           read_summary(folder.path / "none");
         }).ends_with("summary.json: must be a file that can be read"));

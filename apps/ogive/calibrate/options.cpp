@@ -107,7 +107,7 @@ Table table_of(Options &o) {
   add(table, o.thermal_conductivity_W_per_mK, {.key = "thermal_conductivity_W_per_mK",
       .meaning = "thermal conductivity, for the bands of shear of material.toml", .source = "0: not known",
       .limits = {0, 3000, "W/(m K)"}});
-  add(table, o.room_K, {.key = "room_K", .meaning = "room temperature; tests within 10 K of it count as being there",
+  add(table, o.room_K, {.key = "room_K", .meaning = "room temperature; tests within 10 K count as at that temperature",
       .limits = kelvin});
   add(table, o.beta, {.key = "beta", .meaning = "fraction of plastic work that heats", .limits = {0, 1}});
   add(table, o.young_GPa, {.key = "young_GPa", .meaning = "Young's modulus", .source = no_material,
@@ -118,7 +118,7 @@ Table table_of(Options &o) {
   table.group = "Fit";
   add(table, o.isothermal, {.key = "isothermal", .meaning = "all tests are isothermal", .brief = "all tests are isothermal"});
   add(table, o.adiabatic_above_per_s, {.key = "adiabatic_above_per_s",
-      .meaning = "rate from which a test keeps its heat", .limits = rate});
+      .meaning = "rate from which a test counts as adiabatic", .limits = rate});
   add(table, o.rate_window_from, {.key = "rate_window_from", .meaning = "plastic strain from which C is taken",
       .limits = strain});
   add(table, o.rate_window_to, {.key = "rate_window_to", .meaning = "plastic strain up to which C is taken",

@@ -28,7 +28,7 @@ const std::string *find(const Facts &facts, const std::string &key) {
   return found == facts.end() ? nullptr : &found->second;
 }
 
-/// Whether a key says how a run was made rather than what of, or what came of it.
+/// Whether a key is about how a run was made, neither about its case nor about its result.
 bool is_of_the_machine(const std::string &key) {
   constexpr std::array keys{"out",
                             "quiet",

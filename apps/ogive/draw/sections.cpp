@@ -47,7 +47,7 @@ std::vector<draw::PanelCell> read_cells(const Options &o) {
   return cells;
 }
 
-/// Fills in what the options say of a panel, but for the box that is seen.
+/// Takes what the options hold about a panel, except the visible box.
 void choose(draw::SectionPanel &panel, const Options &o) {
   if (o.pixels) {
     const double scale = double(*o.pixels) / panel.width;

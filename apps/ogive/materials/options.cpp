@@ -144,7 +144,7 @@ std::optional<Options> parse(const options::Arguments &arguments) {
   o.names.assign(words.begin() + (words.empty() ? 0 : 1), words.end());
   for (const Given &given : line->given)
     if (const options::Option *option = find(table, given.key); option != nullptr && !belongs(*option, o.action))
-      throw ogive::SetupError(options::flag_of(option->key) + ": is no option of ogive materials " + action);
+      throw ogive::SetupError(options::flag_of(option->key) + ": is not an option of ogive materials " + action);
   if (o.action == Action::show && line->find("model") != nullptr)
     for (const std::string &name : o.names)
       if (!materials::is_material_file(name) && materials::is_known(name)) {

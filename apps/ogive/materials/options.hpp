@@ -37,7 +37,7 @@ struct Options {
   std::string like;
 };
 
-/// Reads the arguments of the command. Nothing if help was asked for and has been written. Throws SetupError.
+/// Reads the arguments of the command. Nothing after --help, whose text has been written. Throws SetupError.
 std::optional<Options> parse(const options::Arguments &arguments);
 
 /// The options of the command; `words` gets the action and its names.

@@ -18,7 +18,7 @@ template <class T> struct ContactOptions {
   T stiffness = T(0.1);       ///< penalty stiffness over m/dt^2
   T sticking = T(0.3);        ///< largest friction force over m |v_t|/dt
   bool rigid_masters = false; ///< the masses of the facets' nodes do not limit the stiffness
-  bool reentrant = false;     ///< the surface has inner edges, so that the nearest facet alone does not tell the side
+  bool reentrant = false;     ///< the surface has inner edges, so that the nearest facet alone does not give the side
 };
 
 /// What acts on one slave node.

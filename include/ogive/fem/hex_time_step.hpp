@@ -229,7 +229,7 @@ Index shortest_step_at(const HexBody<T, Law, Rule> &body, const Nodes<T> &nodes)
 
 /// Adds mass to the nodes of those hexes whose stable step lies below `dt` (s), as much as brings each up to it, and
 /// returns the added mass, kg. Meant for the thin hexes at a sharp tip. Density, stress and energy of the material
-/// points stay as they are. Throws SetupError unless dt is positive.
+/// points are not changed. Throws SetupError unless dt is positive.
 template <class T, class Law, class Rule> T raise_time_step(HexBody<T, Law, Rule> &body, Nodes<T> &nodes, T dt) {
   require(dt > T(0) && std::isfinite(dt), body.name + " time step to raise to (s)", dt, "must be positive");
   const T limit = dt / T(hex_courant);

@@ -27,7 +27,7 @@ inline constexpr double most_ballistic_a = 1.2;
 /// where those of shots rise steeply and bend down.
 inline constexpr double least_ballistic_p = 1;
 /// Largest `p` of a fit: there the curve has 73 % of its asymptote 1 % above the limit, a jump for all shots that can
-/// be distinguished from the limit; still larger ones look alike.
+/// be distinguished from the limit; still larger ones give the same curve.
 inline constexpr double most_ballistic_p = 8;
 
 /// Residual velocity of the curve at the initial velocity v, m/s; 0 up to the limit.

@@ -174,7 +174,7 @@ inline void convert(Entries &e, const CurveTableFormat &format, const std::vecto
   e.points = std::move(points);
 }
 
-/// Throws SetupError for a curve whose numbers look like degrees Celsius, pascals or gigapascals.
+/// Throws SetupError for a curve whose numbers are probably degrees Celsius, pascals or gigapascals.
 inline void require_usual_units(const Entries &e, const CurveTableFormat &format,
                                 const std::vector<CurveTable> &tables) {
   if (format.unusual) return;

@@ -34,7 +34,7 @@ namespace least_squares_detail {
 /// A vector function of parameters, of whatever type: what is made of Eigen is compiled once for all of them.
 template <class Vector> using Function = std::function<Vector(const Vector &)>;
 
-/// What Eigen's Levenberg-Marquardt asks for, in parameters of size one.
+/// The functor that Eigen's Levenberg-Marquardt needs, in parameters of size one.
 template <class Vector> struct Problem {
   using Scalar = typename Vector::Scalar;
   using Index = Eigen::Index;

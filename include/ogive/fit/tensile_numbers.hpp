@@ -72,7 +72,7 @@ inline Voce<double> voce_of(const TensileNumbers &t, double uniform_elongation) 
   // With x = C1 plastic: Q1 (1 - e^-x) = stress - yield and Q1 C1 e^-x = slope, so that x/(e^x - 1) = share.
   const double share = slope * plastic / (stress - t.yield);
   require(plastic > 0 && share < 1, "uniform elongation", uniform_elongation,
-          "does not fit to yield stress and tensile strength: no curve that flattens has its largest force there");
+          "does not fit yield stress and tensile strength: no curve that flattens has its largest force there");
   const double x = tensile_detail::zero_of([&](double y) { return share - y / std::expm1(y); }, 1e-9, 700);
   return {t.yield, (stress - t.yield) / -std::expm1(-x), x / plastic, 0, 0, {.C = 0, .m = 1}};
 }

@@ -110,7 +110,7 @@ template <class T, class Law, class Rule, class Need> void check_lists(const Hex
 /// Refuses values that no run has and that would lead out of arrays or sizes.
 template <class T, class Bodies> void check_restored(const Model<T, Bodies> &model, const std::string &file) {
   const auto need = [&](bool ok, const std::string &what) {
-    if (!ok) refuse_checkpoint(file, "is damaged: " + what + " cannot be");
+    if (!ok) refuse_checkpoint(file, "is damaged: " + what + " has impossible values");
   };
   need(model.steps >= 0 && model.steps < std::int64_t(1) << 60, "its number of steps");
   need(are_places(model.nodes.position), "its positions");

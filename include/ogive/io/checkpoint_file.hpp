@@ -129,7 +129,7 @@ inline Header read_header(Input &input) {
   const auto start = std::min<std::uint64_t>(input.size, sizeof header);
   input.read(&header, start);
   if (std::memcmp(&header, magic.data(), std::min<std::uint64_t>(start, magic.size())) != 0 || start == 0)
-    refuse_checkpoint(input.name, "is no checkpoint of ogive");
+    refuse_checkpoint(input.name, "is not a checkpoint of ogive");
   const auto cut_short = [&](const std::string &whole) {
     refuse_checkpoint(input.name, "is cut short or damaged: it has " + std::to_string(input.size) + " bytes" + whole);
   };
@@ -168,7 +168,7 @@ inline void write_checkpoint_file(const std::filesystem::path &path, std::uint32
 }
 
 /// Reads a checkpoint file. Whatever the file holds, no more is allocated than it has bytes. Throws SetupError, one
-/// line, for a file that cannot be read, is no checkpoint, is cut short, damaged or of another format.
+/// line, for a file that cannot be read, is not a checkpoint, is cut short, damaged or of another format.
 inline Checkpoint read_checkpoint(const std::filesystem::path &path) {
   using namespace checkpoint_detail;
   Input input = open_input(path);

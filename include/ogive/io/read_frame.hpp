@@ -71,7 +71,7 @@ inline std::string attribute(vtkXMLDataElement *element, const char *name) {
 }
 
 /// Whether numbers and types in the XML of a .vtu of `bytes` are such that VTK's reader, which believes them, neither
-/// crashes nor asks for more memory than there can be data.
+/// crashes nor takes more memory than there can be data.
 inline bool sound(vtkXMLDataElement *element, double bytes) {
   constexpr std::array types{"Float32", "Float64", "Int32", "Int64", "UInt8"};
   // Zlib packs no tighter than 1 in 1032.
@@ -250,7 +250,7 @@ inline void require_one_side(const HexGrid &hexes, SymmetryPlanes planes, const 
   constexpr float tolerance = 1e-3F;
   for (const Vec3<float> &x : hexes.positions)
     if ((planes.x && x[0] < -tolerance) || (planes.y && x[1] < -tolerance))
-      throw read_error(path, "is not the quarter or half of a model that it is said to be");
+      throw read_error(path, "is not the quarter or half of a model that its symmetry states");
 }
 
 /// Reads frame `k` of a series. Files of versions that did not write the symmetry need `symmetry`; others need not, and

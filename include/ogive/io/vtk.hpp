@@ -60,7 +60,8 @@ struct VtkSeries {
   std::vector<VtkSeriesEntry> entries{}; ///< in the order of writing
 };
 
-/// Whether `name` can be part of a file name and of XML as it is: letters, digits, '-', '_' and '.', not '.' first.
+/// Whether `name` can be part of a file name and of XML without escapes: letters, digits, '-', '_' and '.', not '.'
+/// first.
 inline bool plain_file_name(const std::string &name) {
   const auto plain = [](char c) { return is_letter_or_digit(c) || c == '-' || c == '_' || c == '.'; };
   return !name.empty() && name[0] != '.' && std::all_of(name.begin(), name.end(), plain);
@@ -123,7 +124,7 @@ inline bool is_empty(const HexGrid &grid) { return grid.hexes.empty(); }
 /// Writes the parts of a frame and lists them in the series' .pvd, which at any moment names whole files only. A part
 /// that is empty, such as particles that hexes have yet to turn into, is left out: not every reader takes a file
 /// without cells. Throws SetupError for a part name that is used twice or is not made of letters, digits, '-', '_' and
-/// '.', and WriteError if a file cannot be written; the frames before then stay as they are.
+/// '.', and WriteError if a file cannot be written; the frames before are not changed then.
 inline void add_frame(VtkSeries &series, const Frame &frame) {
   char number[16];
   std::snprintf(number, sizeof number, "%04d", series.frames);
@@ -153,7 +154,7 @@ inline std::string pvd_element(const VtkSeriesEntry &entry) {
   return text.substr(begin, text.find("/>", begin) - begin);
 }
 
-/// Goes on with the series of a run that was stopped after `frames` frames, made of the files `entries`. Later frames
+/// Resumes the series of a run that was stopped after `frames` frames, made of the files `entries`. Later frames
 /// are dropped; so are files that have gone or are another run's. Throws SetupError for a name that is not made of
 /// letters, digits, '-', '_' and '.', WriteError if the .pvd cannot be written or old files cannot be removed.
 inline VtkSeries resume_series(const std::filesystem::path &folder, const std::string &name, int frames,

@@ -71,7 +71,7 @@ inline void add_part_number(vtkDataSetAttributes *attributes, int part, std::siz
   attributes->AddArray(parts);
 }
 
-/// Name of the field data that say which mirror planes a part ends at: 1 or 0 for x = 0, then for y = 0.
+/// Name of the field data with the mirror planes at which a part ends: 1 or 0 for x = 0, then for y = 0.
 inline constexpr char symmetry_array[] = "symmetry_planes";
 
 /// Adds the mirror planes, without which a quarter alone cannot be distinguished from the whole.

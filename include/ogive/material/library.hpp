@@ -11,7 +11,7 @@
 
 namespace ogive::library {
 
-/// Elastic and thermal constants of Weldox 460 E (Liu et al. 2012, Table 1) with a flow law. Damage is off; its
+/// Elastic and thermal constants of Weldox 460 E (Liu et al. 2012, Table 1) with a flow law. Damage is disabled; its
 /// constants are those of Dey 2004 (D1 to D3 from a transcription, D4 and D5 as commonly quoted), W_cr follows from
 /// them.
 template <class T, class Law> Metal<T, Law> weldox_460e(Law flow, std::string source) {
@@ -46,7 +46,7 @@ template <class T> Metal<T, JohnsonCook<T>> weldox_460e_jc() {
                         "Boervik, Hopperstad, Berstad & Langseth 2001 (quoted)");
 }
 
-/// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2) with a flow law. Damage is off; its
+/// Elastic and thermal constants of AA5083-H116 (Liu et al. 2012, Table 2) with a flow law. Damage is disabled; its
 /// constants are those of Clausen, Boervik, Hopperstad & Benallal 2004 (as commonly quoted), W_cr follows from them.
 template <class T, class Law> Metal<T, Law> aa5083_h116(Law flow, std::string source) {
   Metal<T, Law> m;

@@ -261,7 +261,7 @@ template <class Body, class T> [[gnu::flatten]] void update_points(Body &body, s
   }
 }
 
-/// Moves all material points of a body (it has `metal` and `points`) through a step; dt = 0 leaves them as they are.
+/// Moves all material points of a body (it has `metal` and `points`) through a step; dt = 0 does not change them.
 template <class Body, class T> void update_stress(Body &body, T dt) {
   if (dt == T(0)) return;
   constexpr Index chunk = 128;

@@ -34,7 +34,7 @@ template <class T> struct Flight {
   Vec3<T> direction{T(0), T(0), T(-1)};         ///< of the initial flight
   bool sharp = false;                           ///< the nose has a length
   std::vector<FlightSample<T>> samples;         ///< in the order of time
-  FlightState state = FlightState::in_progress; ///< what they say
+  FlightState state = FlightState::in_progress; ///< by the samples
   std::optional<T> velocity_at_shoulder;        ///< sharp noses: when the shoulder left the rear face, m/s
   std::optional<T> velocity_at_tail;            ///< sharp noses: when the tail left the rear face, m/s
 };

@@ -22,7 +22,7 @@ template <class T> struct TriedShot {
   bool perforated = false; ///< else stopped
 };
 
-/// What the shots say about the limit, m/s.
+/// The bracket of the limit that the shots give, m/s.
 template <class T> struct LimitBracket {
   std::optional<T> highest_stopped;   ///< of those below the lowest that perforated
   std::optional<T> lowest_perforated; ///< of all

@@ -45,9 +45,9 @@ template <class T> struct MethodChoices {
   PerforationOptions<T> numerics{}; ///< of particles, hexes and contact
 };
 
-/// What a method chooses. The paper names its lattice by its figures only, and has damage off; its friction is that on
+/// What a method chooses. The paper names its lattice by its figures only, and has no damage; its friction is that on
 /// steel, on aluminium it has 0.02. Dc of the stabilised method is that of Boervik et al. 2001, the rest is ours:
-/// docs/beyond.md says what was chosen on what.
+/// docs/beyond.md lists the tests on which each choice was made.
 template <class T> MethodChoices<T> choices_of(Method method) {
   MethodChoices<T> c;
   if (method == Method::paper) {
@@ -65,7 +65,7 @@ template <class T> MethodChoices<T> choices_of(Method method) {
   return c;
 }
 
-/// The metal of a plate with the damage and the bands of shear that a method asks for; the constants of the failure
+/// The metal of a plate with the damage and the bands of shear that a method needs; the constants of the failure
 /// strain are its own, and without any it has no damage.
 template <class T, class Law> Metal<T, Law> with_damage_of(Method method, Metal<T, Law> metal) {
   const MethodChoices<T> c = choices_of<T>(method);

@@ -10,7 +10,7 @@
 
 namespace ogive {
 
-/// How a projectile moves: the whole of it, a rigid one or one that deforms.
+/// The motion of a whole projectile, rigid or deformable.
 template <class T> struct ProjectileMotion {
   T speed{};                           ///< of the centre of mass, m/s
   Vec3<T> direction = Vec3<T>::Zero(); ///< of that motion; zero at rest

@@ -26,7 +26,7 @@ template <class T> struct Axis {
 };
 
 /// The axis of motion of the projectile now, whole in symmetric models; along `direction` while it moves that way more
-/// slowly than `least_speed` (m/s), where the direction of its velocity says nothing.
+/// slowly than `least_speed` (m/s), where the direction of its velocity has no meaning.
 template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T> &direction, T least_speed) {
   const auto &nodes = model.nodes;
   const NodeRange range = projectile(model).nodes;

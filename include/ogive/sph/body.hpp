@@ -117,7 +117,7 @@ struct SphBody {
   std::vector<T> viscous_energy; ///< J, work of artificial viscosity: each particle's half of its pairs
   Neighbours<T> neighbours;      ///< lists, made anew when particles have moved
   PairData pair_data;            ///< what neighbours see, made anew in each step
-  Bonds<T> bonds;                ///< against zero-energy modes; none unless the options ask for them
+  Bonds<T> bonds;                ///< against zero-energy modes; none unless the options have a stiffness for them
 };
 
 /// Whether a type is an SphBody.
