@@ -36,8 +36,8 @@ options::Table table_of(ViewOptions &o) {
       .brief = "the page"}).placeholder = "FILE.html";
   add(t, o.title, {.key = "title", .meaning = "above the page", .source = "of summary.json, or the folder's name: ours",
       .brief = "above the page"});
-  add(t, o.frames, {.key = "frames", .meaning = "times at most; of a longer series some are left out, at even distances",
-      .source = "ours", .brief = "times at most", .limits = {1, 1000}});
+  add(t, o.frames, {.key = "frames", .meaning = "most times; of a longer series some are left out, at even distances",
+      .source = "ours", .brief = "most times in the page", .limits = {1, 1000}});
   add(t, o.fields, {.key = "fields", .meaning = "fields to choose from; speed_m_per_s is the magnitude of the velocity",
       .source = "plastic_strain, temperature_K, von_mises_MPa, pressure_MPa, damage, speed_m_per_s: ours",
       .brief = "fields to choose from"}).placeholder = "NAME,NAME,...";

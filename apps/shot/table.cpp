@@ -42,10 +42,10 @@ void add_plate(Table &t, Options &o) {
   add(t, o.model, {.key = "model",
       .meaning = "flow law, of metals that have several (mjc and jc); others have their own", .source = "paper"});
   add(t, o.method, {.key = "method", .meaning = "numerical method: stabilised has bonds between the particles and "
-      "damage; that of the paper lets particles separate by themselves", .source = "ours",
-      .brief = "stabilised, or that of the paper"});
+      "damage; paper is that of the paper: particles separate by themselves", .source = "ours",
+      .brief = "stabilised, or paper: the method of the paper"});
   add(t, o.damage, {.key = "damage",
-      .meaning = "how damage grows, by D1 to D5 or by critical_work_MPa of the material",
+      .meaning = "law of damage: jc by D1 to D5, cockcroft_latham by critical_work_MPa of the material",
       .source = "jc, none with --method paper: ours, paper"});
   add(t, o.failure, {.key = "failure",
       .meaning = "effect of full damage (D = 1): none, pressure only, or no force at all",

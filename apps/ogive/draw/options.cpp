@@ -59,7 +59,7 @@ Table table_of(Options &o) {
       [](const auto &v) { return v[1] - v[0] >= 1 && v[2] >= 1; });
   add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "thin lines between the hexes"});
   add(table, o.from, {.key = "from", .meaning = "direction of view: the section; oblique; or the whole plate from behind, "
-      "without the projectile", .brief = "seen as section, oblique or from behind"});
+      "without the projectile", .brief = "view: section, oblique or behind"});
   add(table, o.pixels, {.key = "pixels", .meaning = "width of the page at most", .source = "1600, of a film 1000: ours",
       .limits = {200, 8000}});
   add(table, o.animate, {.key = "animate", .meaning = "a film of one series in the place of a picture; needs ffmpeg",
