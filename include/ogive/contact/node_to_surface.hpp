@@ -21,7 +21,7 @@ template <class T> struct ContactOptions {
   bool reentrant = false;     ///< the surface has inner edges, so that the nearest facet alone does not give the side
 };
 
-/// What acts on one slave node.
+/// The contact force on one slave node and its place on the surface.
 template <class T> struct ContactForce {
   Index facet = -1;                   ///< the facet touched; -1: no contact
   std::int16_t lost = 0;              ///< 1: so deep behind the surface that nothing pushes the slave back
@@ -31,7 +31,7 @@ template <class T> struct ContactForce {
   Vec3<T> friction = Vec3<T>::Zero(); ///< friction force on the slave, N
 };
 
-/// What a contact has come to in the course of a run.
+/// The state of a contact in a run.
 template <class T> struct ContactState {
   std::vector<T> slave_mass;             ///< kg; 0: deactivated
   T reference_time_step{};               ///< s, of the stiffness; 0: that of the first step

@@ -17,7 +17,7 @@ struct ParticleNearby {
   Reflection reflection{}; ///< in which it is seen, if it is a mirror image
 };
 
-/// What a body of particles brings into a contact.
+/// The data of one body of particles in a contact.
 template <class T> struct ContactBody {
   NodeRange nodes{};      ///< of its particles
   std::vector<T> volumes; ///< m3, one for each

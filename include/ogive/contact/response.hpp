@@ -6,7 +6,7 @@
 #include <algorithm>
 
 /// \file
-/// What a slave that touches the surface feels, and its reaction.
+/// The force on a slave that touches the surface, and its reaction.
 
 namespace ogive {
 

@@ -39,7 +39,7 @@ namespace ogive {
 /// A vector for each hourglass mode: column alpha.
 template <class T> using HourglassModes = Eigen::Matrix<T, 3, 4>;
 
-/// What hourglass control knows of a hex: X_alpha (m, times 8) and the rates q'_alpha (m/s).
+/// The input of hourglass control for one hex: X_alpha (m, times 8) and the rates q'_alpha (m/s).
 template <class T> struct HourglassMotion {
   HourglassModes<T> shape; ///< X_alpha, m, times 8
   HourglassModes<T> rate;  ///< q'_alpha, m/s

@@ -61,7 +61,7 @@ enum class ParameterOrigin {
   at_bound ///< least squares would go beyond the bound that it has
 };
 
-/// What is known of a parameter besides its value.
+/// The origin and the uncertainty of a parameter.
 template <class T> struct ParameterReport {
   ParameterOrigin origin = ParameterOrigin::held; ///< how the fit came by it
   std::optional<T> standard_error;                ///< of fitted ones with more points than parameters

@@ -20,7 +20,7 @@
 
 namespace ogive {
 
-/// What the numbers of a table are.
+/// The meaning of the numbers of a table.
 struct CurveTableFormat {
   bool engineering = false; ///< engineering instead of true stress and plastic strain
   double young{};           ///< Pa, for engineering curves
@@ -81,7 +81,7 @@ inline std::vector<Column> read_header(const CsvRow &row, const std::string &nam
   return order;
 }
 
-/// What a number of a column may be. The limits are far beyond any test and keep squares finite.
+/// The limits of the numbers of a column. They are far beyond any test and keep squares finite.
 struct Allowed {
   double low, high;
   bool low_itself;

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// \file
-/// What a point of a test gives to the steps of three_steps().
+/// The data that a point of a test gives to the steps of three_steps().
 
 namespace ogive {
 

@@ -36,7 +36,7 @@ inline std::vector<double> adiabatic_temperature(const StressCurve &curve, doubl
   return temperature;
 }
 
-/// What becomes of a curve of engineering stress and strain.
+/// The true curve that follows from engineering stress and strain.
 struct TrueCurve {
   std::vector<double> strain;    ///< true plastic strain
   std::vector<double> stress;    ///< true stress, Pa

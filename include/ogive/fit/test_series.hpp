@@ -25,18 +25,18 @@ struct Interval {
 /// True if `x` lies in the interval.
 inline bool holds(const Interval &interval, double x) { return x >= interval.from && x <= interval.to; }
 
-/// What is known of the metal and of the tests, and what the fit should use.
+/// Known data of the metal and of the tests, and the choices of the fit.
 struct SeriesSettings {
   double room = 293;                   ///< Tr, K
   double melting{};                    ///< Tm, K
   double heat_per_work{};              ///< beta/(rho cp), K/Pa; 0: isothermal
-  double adiabatic_above = 10;         ///< rate from which a test keeps its heat, 1/s
+  double adiabatic_above = 10;         ///< rate from which a test counts as adiabatic, 1/s
   Interval rate_window{0.05};          ///< plastic strain that C is taken from
   Interval thermal_window{0.03, 0.15}; ///< plastic strain that b is taken from
   std::optional<Interval> left_out;    ///< temperatures that b is not taken from, K (blue brittleness)
 };
 
-/// What a curve is used for.
+/// The use of a curve in the fit.
 enum class CurveUse {
   quasi_static, ///< A, B, a
   rate,         ///< C
@@ -66,7 +66,7 @@ inline constexpr double quasi_static_ratio = 3;
 /// A curve and what is made of it.
 struct SortedCurve {
   StressCurve curve;                 ///< at room temperature where it is within the tolerance
-  CurveUse use = CurveUse::left_out; ///< what the curve or point serves for
+  CurveUse use = CurveUse::left_out; ///< use in the fit
   bool adiabatic = false;            ///< the test kept its heat
   std::vector<double> temperature;   ///< K, at each point
   std::size_t hardening = 0;         ///< index in TestSeries::hardenings
@@ -180,7 +180,7 @@ struct TestPoint {
   double strain{}, stress{}, rate{}, temperature{}; ///< plastic; Pa; 1/s; K
   std::size_t hardening = 0;                        ///< index in TestSeries::hardenings
   std::size_t curve = 0;                            ///< index in TestSeries::curves
-  CurveUse use = CurveUse::left_out;                ///< what the curve or point serves for
+  CurveUse use = CurveUse::left_out;                ///< use in the fit
 };
 
 /// The points of all curves that are used, in the order of the curves.

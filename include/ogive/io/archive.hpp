@@ -52,7 +52,7 @@ struct ArchiveWriter {
 /// Reads what ArchiveWriter has written. Whatever the bytes are, they are read within their bounds and no array becomes
 /// larger than they are. Throws SetupError "<name>: is damaged: ..." for others.
 struct ArchiveReader {
-  std::string_view rest; ///< what has not been read yet
+  std::string_view rest; ///< bytes that have not been read yet
   std::string name;      ///< for errors
 
   ///@{

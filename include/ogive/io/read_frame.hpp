@@ -35,7 +35,7 @@ struct StoredFrame {
   std::vector<VtkSeriesEntry> parts{}; ///< at least one
 };
 
-/// What a .pvd lists.
+/// The content of a .pvd file.
 struct StoredSeries {
   std::filesystem::path pvd;       ///< the file itself
   std::vector<StoredFrame> frames; ///< at least one, in the order of the file

@@ -40,7 +40,7 @@ enum class DamageLaw {
   cockcroft_latham ///< D = 1/W_cr times the integral of max(sigma_1, 0) d eps (Cockcroft & Latham 1968)
 };
 
-/// What a material point does once its damage has reached 1.
+/// The behaviour of a material point once its damage has reached 1.
 enum class FailureEffect {
   none,       ///< none: damage is only written (the paper's runs)
   no_tension, ///< it carries neither shear nor tension, pressure only
@@ -50,7 +50,7 @@ enum class FailureEffect {
 /// Damage of a metal.
 template <class T> struct Damage {
   DamageLaw law = DamageLaw::none;            ///< how damage grows
-  FailureEffect effect = FailureEffect::none; ///< what happens at 1
+  FailureEffect effect = FailureEffect::none; ///< of damage 1
   FailureStrain<T> failure_strain{};          ///< of the Johnson-Cook law
   T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa
   T softening = T(0);                         ///< Dc: the flow stress is multiplied by 1 - Dc D (Boervik et al. 2001)

@@ -34,7 +34,7 @@ template <class T, class Law> std::optional<T> strain_to_melting(const Metal<T, 
 
 } // namespace doubts_detail
 
-/// What is doubtful about constants of the failure strain that are legal, a line for each: no metal is known that gets
+/// The doubts about constants of the failure strain that are legal, a line for each: no metal is known that gets
 /// more ductile with tension, fails at its first plastic strain, or with its melting point near.
 template <class T> std::vector<std::string> doubts_of(const FailureStrain<T> &f) {
   using doubts_detail::text;
@@ -71,7 +71,7 @@ template <class T> std::vector<std::string> doubts_of(const FailureStrain<T> &f)
   return doubts;
 }
 
-/// What is doubtful about a metal's flow stress and temperatures, a line for each.
+/// The doubts about a metal's flow stress and temperatures, a line for each.
 template <class T, class Law> std::vector<std::string> doubts_of_flow(const Metal<T, Law> &m) {
   using doubts_detail::text;
   std::vector<std::string> doubts;

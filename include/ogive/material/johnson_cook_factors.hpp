@@ -17,7 +17,7 @@ enum class RateFactor {
 /// it.
 inline constexpr double smallest_rate_factor = 0.1;
 
-/// What the Johnson-Cook family multiplies its hardening with: f(rate) [1 - T*^m].
+/// The factors by which the Johnson-Cook family multiplies its hardening: f(rate) [1 - T*^m].
 template <class T> struct JohnsonCookFactors {
   T C{};                                            ///< rate coefficient, negative if the flow stress falls with rate
   T m{};                                            ///< thermal exponent

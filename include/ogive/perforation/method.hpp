@@ -38,14 +38,14 @@ enum class Method {
 template <class T> struct MethodChoices {
   Lattice lattice{};                ///< of the plate's particles
   DamageLaw damage{};               ///< how damage grows
-  FailureEffect failure{};          ///< what a particle does at D = 1
+  FailureEffect failure{};          ///< of damage D = 1 on a particle
   T softening{};                    ///< Dc, part of the flow stress that D = 1 takes away
   T band_onset{};                   ///< of bands of adiabatic shear in the plate, see ShearBand
   T sharp_friction{};               ///< Coulomb, on noses that are not blunt; on blunt ones 0
   PerforationOptions<T> numerics{}; ///< of particles, hexes and contact
 };
 
-/// What a method chooses. The paper names its lattice by its figures only, and has no damage; its friction is that on
+/// The choices of a method. The paper names its lattice by its figures only, and has no damage; its friction is that on
 /// steel, on aluminium it has 0.02. Dc of the stabilised method is that of Boervik et al. 2001, the rest is ours:
 /// docs/beyond.md lists the tests on which each choice was made.
 template <class T> MethodChoices<T> choices_of(Method method) {

@@ -34,7 +34,7 @@ struct DisjointSets {
   }
 };
 
-/// What the plate's particles have broken into.
+/// The pieces into which the plate's particles have broken.
 template <class T> struct Fragments {
   T plug_mass{};     ///< kg, largest piece that is not connected to the rim; whole model
   T plug_velocity{}; ///< m/s in the direction of flight
@@ -61,7 +61,7 @@ std::vector<Index> connected_pieces(const Body &body, const Nodes<T> &nodes, T d
   return pieces.roots();
 }
 
-/// What each particle of a plate belongs to.
+/// The piece to which each particle of a plate belongs.
 struct Pieces {
   std::vector<Index> of;    ///< the piece of each particle, of connected_pieces()
   std::vector<bool> at_rim; ///< by piece: it hangs on the rim

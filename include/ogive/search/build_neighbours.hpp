@@ -71,7 +71,7 @@ template <class T> Box<T> reflected(const Box<T> &box, Reflection reflection) {
   return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 
-/// What the search for neighbours reads.
+/// The input of the search for neighbours.
 template <class T, class Width = SimdWidth> struct Search {
   const Columns<T> &columns;     ///< of all clusters
   std::vector<Box<T>> of_column; ///< box around the points of each column, m

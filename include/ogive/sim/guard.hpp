@@ -24,9 +24,9 @@ enum class FaultKind {
   energy      ///< the energy is not conserved
 };
 
-/// What went wrong in the loop, where and when.
+/// A fault in the loop: its kind, place and time.
 struct Fault {
-  FaultKind kind = FaultKind::not_finite; ///< what is wrong
+  FaultKind kind = FaultKind::not_finite; ///< its kind
   std::string what;                       ///< one line, with the values
   std::string body;                       ///< its name
   Index id = -1;                          ///< node, particle or hex of the body; -1: none in particular

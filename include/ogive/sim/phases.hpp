@@ -42,7 +42,7 @@ public:
     last_ = now;
   }
 
-  /// What has passed since the last call is booked to nothing, because another has booked it.
+  /// Books the time since the last call to no phase, because another one has booked it.
   void restart() { last_ = std::chrono::steady_clock::now(); }
 
 private:

@@ -53,7 +53,7 @@ struct alignas(64) ClusterMotion {
 /// Corrected stress G = sigma B times the volume at the four places of a cluster, row first, N m.
 using ClusterFlux = std::array<std::array<float, cluster_size>, 9>;
 
-/// What particles and their mirror images show to their neighbours.
+/// The data of particles and their mirror images that their neighbours read.
 struct PairData {
   std::vector<ClusterMotion> motion; ///< by clusters
   std::vector<ClusterFlux> flux;     ///< by clusters
@@ -116,7 +116,7 @@ struct SphBody {
   std::vector<T> point_mass;     ///< kg, constant
   std::vector<T> viscous_energy; ///< J, work of artificial viscosity: each particle's half of its pairs
   Neighbours<T> neighbours;      ///< lists, made anew when particles have moved
-  PairData pair_data;            ///< what neighbours see, made anew in each step
+  PairData pair_data;            ///< that neighbours read, made anew in each step
   Bonds<T> bonds;                ///< against zero-energy modes; none unless the options have a stiffness for them
 };
 

@@ -25,7 +25,7 @@ struct BondedTo {
   Reflection reflection{}; ///< in which it is seen
 };
 
-/// What a bond sees of the particle at one of its ends in this step.
+/// The data of the particle at one end of a bond, in this step.
 struct BondEnd {
   std::array<float, 3> x; ///< m
   std::array<float, 3> v; ///< m/s
