@@ -18,7 +18,7 @@ OGIVE = sys.argv.pop(1)
 def names_in(completion):
     """'command', 'command --option' and '--option choice' from the completion for bash."""
     commands, rest = completion.split("case ${COMP_WORDS[1]} in", 1)
-    names = [word for word in re.search(r"words='([^']*)'", commands)[1].split() if not word.startswith("-")]
+    names = [word for word in re.search(r"words='([^']+)'", commands)[1].split() if not word.startswith("-")]
     for command, flags, choices in re.findall(r"(?ms)^  ([a-z]+)\)\n    words='([^']*)'\n(.*?)^    ;;", rest):
         names += [f"{command} {flag}" for flag in flags.split()]
         names += [f"{flag} {word}" for flag, words in re.findall(r"(--[\w-]+)\) words='([^']*)' ;;", choices)
