@@ -45,7 +45,7 @@ T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, s
   return weight > T(0) ? sum / weight : T(0);
 }
 
-/// Petals of a rim whose height (m) above the rear face is given at equal angles around the whole hole. A petal stands
+/// Petals of a rim whose height (m) above the rear face is given at equal angles around the whole hole. A petal is
 /// between two notches where less than half of the mean height is left; a rim that is lower than `least_height` (m) has
 /// none, and neither has a tube without notches.
 template <class T> int count_petals(const std::vector<T> &height, T least_height) {
