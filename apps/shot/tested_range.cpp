@@ -16,11 +16,12 @@ struct Range {
   double low, high;
 };
 
-constexpr Range calibres_mm{19.9, 20};
-constexpr Range thicknesses_in_calibres{0.3, 1.5};
-constexpr Range velocities_mps{145, 450}; // from the lowest limit to the highest
-constexpr std::array<std::string_view, 5> metals{"weldox_460e", "weldox_700e", "aa5083_h116", "aa5083_h116_25mm",
-                                                 "aa6061_t651"};
+constexpr Range calibres_mm{6.17, 20};
+constexpr Range thicknesses_in_calibres{0.3, 4.2};
+constexpr Range velocities_mps{145, 730}; // from the lowest limit to the fastest measured shot
+constexpr Range obliquities_deg{0, 30};
+constexpr std::array<std::string_view, 6> metals{"weldox_460e",      "weldox_700e", "aa5083_h116",
+                                                 "aa5083_h116_25mm", "aa6061_t651", "aa6082_t6"};
 
 } // namespace
 
@@ -34,10 +35,11 @@ std::string outside_tested_range(const Options &o) {
   within("diameter_mm", o.diameter_mm, calibres_mm);
   within("thickness over diameter", o.thickness_mm / o.diameter_mm, thicknesses_in_calibres);
   within("velocity_mps", o.velocity_mps, velocities_mps);
-  if (o.obliquity_deg != 0 || o.pitch_deg != 0 || o.yaw_deg != 0)
-    all.emplace_back("obliquity, pitch or yaw (tests: none)");
+  within("obliquity_deg", o.obliquity_deg, obliquities_deg);
+  if (o.pitch_deg != 0 || o.yaw_deg != 0) all.emplace_back("pitch or yaw (tests: none)");
   if (o.layers_mm.size() > 1) all.emplace_back("several plates (tests: one)");
-  if (o.nose == Nose::hemispherical) all.emplace_back("nose hemispherical");
+  if (o.nose == Nose::sphere) all.emplace_back("nose sphere");
+  if (o.bore_depth_mm > 0) all.emplace_back("a hollow projectile");
   if (!o.profile_mm.empty() || o.own_mesh.read) all.emplace_back("a projectile of your own");
   for (const std::string &material : materials_of(o)) {
     const std::string metal = materials::label_of(material);
