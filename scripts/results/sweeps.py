@@ -1,10 +1,11 @@
 """The sweeps behind the tables of docs/: lists of cases in bench/cases with options for all of them, run by `ogive sweep`
-in folders below vtk_out/bench. Cases that a folder holds already are not run again. The rows of limits are kept in
-bench/rows, so that a search resumes from them on another machine. They count while options, list and material files are
+in folders below vtk_out/bench. Cases that a folder holds already are not run again. Their rows are kept in
+bench/rows, so that tables and searches resume from them on another machine. They count while options, list and material files are
 the same; after a change of the method they must be deleted."""
 
 import csv
 import hashlib
+import json
 import re
 import shutil
 import subprocess
@@ -23,6 +24,12 @@ PROGRAM = PROGRAMS / "ogive"
 WIDTH_MPS = 5  # of a bracket at the end of a search, the default of ogive sweep
 
 
+# Of summary.json: what tables show.
+SHOWN_KEYS = (
+    "version", "initial_velocity_mps", "obliquity_deg", "residual_velocity_mps", "final_speed_mps", "deflection_deg", "turn_deg",
+    "test_residual_velocity_mps", "test_origin", "velocity_at_shoulder_mps", "plug_mass_g", "failed_particles", "dishing_mm",
+    "dishing_at_rest_mm", "hourglass_fraction", "energy_error", "momentum_error", "largest_intrusion_mm", "steps", "cpu_s",
+    "state_hash")
 PATHS = {"material"}  # columns whose values may be paths
 
 
@@ -37,8 +44,6 @@ class Sweep(NamedTuple):
 METALS = {
     "floor_0.001.toml": ("weldox_460e", {"rate_floor_per_s": lambda _: 0.001}),
     "floor_100.toml": ("weldox_460e", {"rate_floor_per_s": lambda _: 100}),
-    "boervik_2001.toml": ("weldox_460e", {"D1": lambda _: 0.0705, "D2": lambda _: 1.732, "D3": lambda _: -0.54,
-                                          "D4": lambda _: -0.0123, "D5": lambda _: 0}),
     **{f"aluminium_{name}_{factor}.toml": ("aa5083_h116", {key: partial(mul, factor)})
        for name, key in (("A", "A_MPa"), ("B", "B_MPa"), ("a", "a")) for factor in (0.9, 1.1)},
 }
@@ -93,24 +98,34 @@ def kept(sweep, name):
     return folder / name if same and (folder / name).exists() else None
 
 
+def is_kept(sweep):
+    """Rows that name material files of this machine are not."""
+    _, records = read_records(CASES / f"{sweep.cases}.csv")
+    return not any(field in METALS for _, fields in records for field in fields)
+
+
 def take_kept(sweep):
-    """Puts the kept rows where the folder of a sweep of limits has none."""
+    """Puts the kept rows where the folder of a sweep has none."""
     rows = FOLDER / sweep.folder / "shots.csv"
-    if is_of_limits(sweep) and kept(sweep, "shots.csv") and not rows.exists():
+    if kept(sweep, "shots.csv") and not rows.exists():
         rows.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(kept(sweep, "shots.csv"), rows)
 
 
 def keep(sweep):
-    """Keeps the rows of a sweep of limits, unless more of them are kept."""
+    """Keeps the rows of a sweep, unless more of them are kept, and of shots what the tables show."""
     folder, target = FOLDER / sweep.folder, KEPT / sweep.folder
     rows, earlier = folder / "shots.csv", kept(sweep, "shots.csv")
-    if not is_of_limits(sweep) or not rows.exists() or (earlier and len(texts(earlier)) > len(texts(rows))):
+    if not is_kept(sweep) or not rows.exists() or (earlier and len(texts(earlier)) > len(texts(rows))):
         return
+    known = {case["name"]: found for case in cases(sweep) if (found := summary(sweep, case["name"]))}
     target.mkdir(parents=True, exist_ok=True)
     for name in ("shots.csv", "limits.csv"):
         if (folder / name).exists():
             shutil.copy(folder / name, target / name)
+    if known and not is_of_limits(sweep):
+        shown = {name: {key: found[key] for key in SHOWN_KEYS if key in found} for name, found in known.items()}
+        write_text(target / "summaries.json", json.dumps(shown, indent=1) + "\n")
     write_text(target / "recipe.txt", recipe(sweep) + "\n")
 
 
@@ -139,9 +154,12 @@ def cases(sweep):
 
 
 def summary(sweep, name):
-    """summary.json of a case that has been run, with the options of its row; None if it has not, or ended with a fault."""
+    """summary.json of a case that has been run, with the options of its row, or SHOWN_KEYS of it if only that is kept; None
+    if it has not been run, or ended with a fault."""
     file = FOLDER / sweep.folder / "shots" / name / "summary.json"
-    found = read_json(file) if file.exists() else {"fault": "not run"}
+    if not file.exists():
+        return read_json(kept(sweep, "summaries.json")).get(name) if kept(sweep, "summaries.json") else None
+    found = read_json(file)
     return None if found.get("fault") else found
 
 

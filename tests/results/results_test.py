@@ -595,7 +595,7 @@ class Tables(unittest.TestCase):
         for change in ({"obliquity_deg": "30"}, {"yield_MPa": ""}, {"projectile": "20 mm FSP"}):
             self.assertIsNone(cavity.limit_mps({**core, **change}))
 
-    def test_rows_of_limits_are_kept_and_taken_up_again(self):
+    def test_rows_are_kept_and_taken_up_again(self):
         program = self.folder / "ogive"
         program.write_text('#!/bin/sh\nwhile [ "$1" != --out ]; do shift; done\n[ -f "$2/shots.csv" ] || echo version > '
                            '"$2/shots.csv"\necho 1.2.3 >> "$2/shots.csv"\ncp "$2/shots.csv" "$2/limits.csv"\n')
@@ -604,16 +604,28 @@ class Tables(unittest.TestCase):
         shot = tables.TABLES["measured"][1][0].sweeps[0]
         (self.folder / limit.folder).mkdir()
         (self.folder / shot.folder).mkdir()
+        (self.folder / shot.folder / "shots" / "304").mkdir(parents=True)
+        (self.folder / shot.folder / "shots" / "304" / "summary.json").write_text(
+            '{"fault": null, "initial_velocity_mps": 303.5, "residual_velocity_mps": 208.6, "particles": 25820}')
         with mock.patch.object(sweeps, "PROGRAM", program), contextlib.redirect_stderr(io.StringIO()):
             sweeps.run(limit)
             sweeps.run(shot)
             shutil.rmtree(self.folder / limit.folder)
+            shutil.rmtree(self.folder / shot.folder)
             sweeps.run(limit)
         rows = "version\n1.2.3\n1.2.3\n"
         self.assertEqual((self.folder / limit.folder / "shots.csv").read_text(), rows)
         self.assertEqual((self.folder / "kept" / limit.folder / "limits.csv").read_text(), rows)
         self.assertEqual(sweeps.versions(limit), {"1.2.3"})
-        self.assertFalse((self.folder / "kept" / shot.folder).exists())
+        self.assertEqual((self.folder / "kept" / shot.folder / "shots.csv").read_text(), "version\n1.2.3\n")
+        self.assertEqual(sweeps.summary(shot, "304"), {"initial_velocity_mps": 303.5, "residual_velocity_mps": 208.6})
+        self.assertIsNone(sweeps.summary(shot, "400"))
+        with_own_metals = tables.TABLES["sensitivity"][1][0].sweeps[0]
+        self.assertFalse(sweeps.is_kept(with_own_metals))
+        self.assertTrue(sweeps.is_kept(shot))
+        shown = {key for column in (*tables.SHOTS, *tables.STABILISED, *tables.CONES, *tables.DISHINGS)
+                 for key in column.keys.split()}
+        self.assertEqual(shown - set(sweeps.SHOWN_KEYS), {"case_spacing_mm"})
 
     def test_sweeps_get_all_options(self):
         program = self.folder / "ogive"
