@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .data import PAGE, InputError, close, half_width_mps, of_plate, read_toml, short
-from .kinds import KINDS, NUMBER, Missing, limit_against_test, plate_text, residuals_against_tests
+from .kinds import KINDS, NUMBER, Missing, limit_against_test, plate_text, residuals_against_tests, shot_text
 
 FILES = (PAGE / "acceptance.toml", PAGE / "acceptance_beyond.toml")
 
@@ -165,6 +165,8 @@ class Check:
         return rows[0]
 
     def column(self, row, name):
+        if name in row.text and not row.text[name]:
+            raise Missing(f"no {name}, {shot_text(row)}")
         if row.get(name) is None or isinstance(row[name], str):
             self.refuse(name if name in self.table else "quantity",
                         f"must be a column of numbers of {', '.join(row.text)}")
