@@ -17,7 +17,7 @@ using options::Given;
 using options::Origins;
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 21> keys{"nose",
+constexpr std::array<std::string_view, 23> keys{"nose",
                                                 "diameter_mm",
                                                 "length_mm",
                                                 "nose_length_mm",
@@ -32,6 +32,8 @@ constexpr std::array<std::string_view, 21> keys{"nose",
                                                 "projectile_mesh",
                                                 "mesh_unit",
                                                 "part_metals",
+                                                "parts",
+                                                "part_friction",
                                                 "bore_radius_mm",
                                                 "bore_depth_mm",
                                                 "filler_profile_mm",
@@ -157,7 +159,7 @@ void copy_projectile(const Options &from, Options &to) {
   to.tail_length_mm = from.tail_length_mm, to.tail_diameter_mm = from.tail_diameter_mm;
   to.profile = from.profile, to.profile_mm = from.profile_mm;
   to.projectile_mesh = from.projectile_mesh, to.mesh_unit = from.mesh_unit, to.own_mesh = from.own_mesh;
-  to.part_metals = from.part_metals;
+  to.part_metals = from.part_metals, to.parts = from.parts, to.part_friction = from.part_friction;
   to.bore_radius_mm = from.bore_radius_mm, to.bore_depth_mm = from.bore_depth_mm;
   to.filler_profile_mm = from.filler_profile_mm, to.core_profile_mm = from.core_profile_mm;
   to.mass_g = from.mass_g, to.projectile_metal = from.projectile_metal, to.rigid = from.rigid;

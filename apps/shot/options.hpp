@@ -25,6 +25,7 @@ using ogive::FailureEffect;
 using ogive::Lattice;
 using ogive::Method;
 using ogive::Nose;
+using ogive::Parts;
 using ogive::PressureLaw;
 
 enum class SphForm { renormalised, standard };
@@ -76,6 +77,8 @@ struct Options {
   MeshUnit mesh_unit = MeshUnit::mm;
   OwnMesh own_mesh;                      ///< what settled() or a checkpoint has read of that file
   std::vector<std::string> part_metals;  ///< "PART=METAL"; empty: projectile_metal for all
+  Parts parts = Parts::tied;             ///< what holds the parts of the projectile together
+  double part_friction = 0.1;            ///< Coulomb, between parts that touch
   double bore_radius_mm = 0;             ///< of a bore from the rear; 0: none
   double bore_depth_mm = 0;              ///< of that bore
   std::vector<double> filler_profile_mm; ///< z and r of the surface within the jacket in turn; empty: no filler

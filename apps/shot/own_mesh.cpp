@@ -53,7 +53,7 @@ bool is_mesh_file(const std::string &name) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-OwnMesh read_own_mesh(const std::filesystem::path &file, MeshUnit unit, ogive::Extent extent,
+OwnMesh read_own_mesh(const std::filesystem::path &file, MeshUnit unit, ogive::Extent extent, ogive::Parts parts,
                       const std::string &origin) {
   const std::string name = file.string(), ending = file.extension().string();
   auto read = std::make_shared<MeshOfFile>();
@@ -61,7 +61,7 @@ OwnMesh read_own_mesh(const std::filesystem::path &file, MeshUnit unit, ogive::E
   read->mesh = ending == ".vtu"   ? ogive::read_vtu_mesh(file, metres(unit))
                : ending == ".inp" ? ogive::read_abaqus_mesh(read->bytes, name, metres(unit))
                                   : ogive::read_ls_dyna_mesh(read->bytes, name, metres(unit));
-  read->projectile = ogive::own_projectile(read->mesh, extent);
+  read->projectile = ogive::own_projectile(read->mesh, extent, parts);
   return {read};
 }
 

@@ -39,8 +39,9 @@ std::string allowed_mesh_files();
 /// True if the name is one of those.
 bool is_mesh_file(const std::string &name);
 
-/// Reads a mesh for an extent of the model. `origin` names the option in errors. Throws SetupError.
-OwnMesh read_own_mesh(const std::filesystem::path &file, MeshUnit unit, ogive::Extent extent,
+/// Reads a mesh for an extent of the model and for parts that are held like this. `origin` names the option in errors.
+/// Throws SetupError.
+OwnMesh read_own_mesh(const std::filesystem::path &file, MeshUnit unit, ogive::Extent extent, ogive::Parts parts,
                       const std::string &origin);
 
 /// Name of the copy of a mesh in the folder of the results.

@@ -66,6 +66,10 @@ void add_parts(options::Table &t, Options &o) {
     for (const auto &entry : o.part_metals) entries.push_back(options::toml_string(entry));
     return entries.empty() ? "" : "[" + options::joined(entries) + "]";
   };
+  add(t, o.parts, {.key = "parts", .meaning = "of a projectile: tied parts share the nodes where they meet, touching "
+      "ones slide on each other and may come apart", .source = "ours"});
+  add(t, o.part_friction, {.key = "part_friction", .meaning = "Coulomb friction between parts that touch",
+      .source = "assumed", .limits = {0, 2, ""}});
   add(t, o.bore_radius_mm, {.key = "bore_radius_mm", .meaning = "of a bore from the rear: the projectile is hollow; "
       "0: none", .source = "ours", .limits = {0, 100, "mm"}});
   add(t, o.bore_depth_mm, {.key = "bore_depth_mm", .meaning = "of that bore; the length of a blunt projectile makes a "
@@ -117,6 +121,11 @@ void settle_parts(Options &o, const options::Origins &origins) {
                  ? "needs a projectile with parts: --core-profile-mm, or a mesh with several"
                  : "must be one of the parts " + options::joined(names));
   }
+  if (o.parts == Parts::touching && names.size() == 1)
+    refuse_value(origins, "parts", o.parts,
+                 "needs a projectile with several parts: --core-profile-mm, or a mesh with them");
+  if (o.parts == Parts::touching && o.rigid)
+    refuse_value(origins, "parts", o.parts, "must be tied in a --rigid projectile, which moves as one");
   // A file that no part is made of has no copy in the folder of the results.
   const auto metals = part_materials(o);
   if (std::find(metals.begin(), metals.end(), o.projectile_metal) == metals.end() &&

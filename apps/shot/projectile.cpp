@@ -202,8 +202,8 @@ void settle_nose(Options &o, const options::Origins &origins) {
       options::refuse(options::origin_of(origins, "projectile_mesh"), o.projectile_mesh,
                       "contradicts profile: give one of them");
     o.nose = Nose::mesh;
-    o.own_mesh =
-        read_own_mesh(o.projectile_mesh, o.mesh_unit, o.extent, options::origin_of(origins, "projectile_mesh"));
+    o.own_mesh = read_own_mesh(o.projectile_mesh, o.mesh_unit, o.extent, o.parts,
+                               options::origin_of(origins, "projectile_mesh"));
     return;
   }
   if (o.nose == Nose::mesh) refuse_value(origins, "nose", o.nose, "needs --projectile-mesh FILE");

@@ -93,6 +93,13 @@ std::string undecided_reason(const Result &s) {
   return options::printed("at %.4g us the projectile moves at %.1f m/s %s", s.simulated_us, last.velocity, what);
 }
 
+/// ", of the part core" of a projectile whose parts touch; else empty.
+std::string followed_text(const Result &s) {
+  for (const PartResult &part : s.parts)
+    if (part.is_followed) return ", of the part " + part.name;
+  return "";
+}
+
 /// A section takes some seconds, most of them on a machine without a graphics card.
 constexpr double most_drawing_s = 120;
 
@@ -113,8 +120,8 @@ std::string case_title(const Options &o, const Result &s) {
   if (target_depth_mm(o) > o.thickness_mm) sizes += joined(o.gaps_mm, ", ") + " mm apart, ";
   return s.material + ", " + name_of(o.model) + ", " + projectile_label(o) + ", " + sizes +
          options::shortest(o.velocity_mps) + " m/s" +
-         (o.obliquity_deg == 0 ? "" : " at " + options::shortest(o.obliquity_deg) + " deg") +
-         ", method " + name_of(o.method);
+         (o.obliquity_deg == 0 ? "" : " at " + options::shortest(o.obliquity_deg) + " deg") + ", method " +
+         name_of(o.method);
 }
 
 } // namespace
@@ -205,6 +212,10 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
   j["projectile_mass_g"] = s.sizes.projectile_mass_g;
   j["projectile_volume_mm3"] = s.sizes.projectile_volume_mm3;
   for (const auto &[name, mass_g] : s.sizes.part_masses_g) j["projectile_part_masses_g"][name] = mass_g;
+  for (const PartResult &part : s.parts) {
+    if (part.is_followed) j["followed_part"] = part.name;
+    j["parts"].push_back({{"name", part.name}, {"mass_g", part.mass_g}, {"velocity_mps", part.velocity_mps}});
+  }
   j["added_mass_g"] = s.sizes.added_mass_g;
   j["projectile_scaled_jacobian"] = s.sizes.projectile_jacobian;
   j["largest_intrusion_mm"] = s.intrusion_mm;
@@ -276,7 +287,7 @@ std::string draw(const Options &o, const Result &s, const std::optional<experime
 void print_table(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
   if (const auto residual = residual_mps(s)) {
     std::printf("\n  %-22s %s\n", "perforated", verdict(s) == Verdict::perforated ? "yes" : "no");
-    std::printf("  %-22s %.1f m/s\n", "residual velocity", *residual);
+    std::printf("  %-22s %.1f m/s%s\n", "residual velocity", *residual, followed_text(s).c_str());
   } else {
     std::printf("\n  %-22s undecided: %s\n", "perforated", undecided_reason(s).c_str());
     if (!s.fault)
@@ -298,6 +309,9 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
   if (s.fragments.plug_mass > 0 && s.fragments.plug_velocity > 0)
     std::printf("  %-22s %.3g g at %.1f m/s, debris %.3g g\n", "plug", s.fragments.plug_mass * 1e3,
                 s.fragments.plug_velocity, s.fragments.debris_mass * 1e3);
+  for (const PartResult &part : s.parts)
+    if (!part.is_followed)
+      std::printf("  %-22s %.3g g at %.1f m/s\n", part.name.c_str(), part.mass_g, part.velocity_mps);
   for (std::size_t k = 0; k < o.layers_mm.size(); ++k)
     std::printf("  %-22s %.2f g at %.1f m/s, %g mm of %s\n", ("  of plate " + std::to_string(k + 1)).c_str(),
                 s.layers[k].fragments.plug_mass * 1e3, s.layers[k].fragments.plug_velocity, o.layers_mm[k],

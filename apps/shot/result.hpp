@@ -39,6 +39,14 @@ struct LayerResult {
   ogive::PlateShape<double> shape;
 };
 
+/// A part of a projectile whose parts touch, at the end.
+struct PartResult {
+  std::string name;         ///< without that of the projectile
+  double mass_g = 0;        ///< of the whole model
+  double velocity_mps = 0;  ///< along the line of flight
+  bool is_followed = false; ///< it is the one that verdict, velocities and depths are of
+};
+
 /// The plate's swing after the shot has been decided, of the first plate.
 struct Swing {
   double begun_us = -1;      ///< when it was decided; -1: not yet
@@ -58,6 +66,7 @@ struct Result {
   ogive::ProjectileMotion<double> motion; ///< likewise
   ogive::Fragments<double> fragments;     ///< of all plates
   std::vector<LayerResult> layers;        ///< one for each plate
+  std::vector<PartResult> parts;          ///< of a projectile whose parts touch; empty: they are tied
   Swing swing;                            ///< for --settle-us
   double intrusion_mm = 0;                ///< particle behind the projectile's surface, deepest of all times of a check
   double hourglass_fraction = 0;          ///< of the initial energy, at the end

@@ -40,7 +40,7 @@ Options options_in(const SavedCase &saved, const std::filesystem::path &file) {
   o.restart = {file, saved.metal_toml, saved.time_us};
   if (!o.projectile_mesh.empty()) {
     o.projectile_mesh = (o.out / mesh_copy_name(o.projectile_mesh)).string();
-    o.own_mesh = read_own_mesh(o.projectile_mesh, o.mesh_unit, o.extent, "mesh of " + file.string());
+    o.own_mesh = read_own_mesh(o.projectile_mesh, o.mesh_unit, o.extent, o.parts, "mesh of " + file.string());
   }
   return o;
 }

@@ -43,7 +43,7 @@ BodySizes sizes_of(const ogive::HexBody<double, Law, Rule> &body, const ogive::N
 /// What the projectile's mesh and the plate's particles amount to.
 template <class M> Sizes sizes_of(const M &model) {
   Sizes s;
-  const auto &shot = ogive::projectile(model);
+  const ogive::NodeRange shot = ogive::projectile_nodes(model);
   for (const auto &rim : model.bodies.plate_hexes) s.hexes += static_cast<long>(rim.hexes.size());
   for (const auto &disc : model.bodies.plate_particles) s.particles += disc.points.size();
   s.spacing_mm = ogive::plate_particles(model).spacing * 1e3;
@@ -58,10 +58,23 @@ template <class M> Sizes sizes_of(const M &model) {
       s.part_masses_g.emplace_back(part.name, ogive::whole_mass(part.point_mass, model.symmetry) * 1e3);
   }
   double nodal = 0;
-  for (ogive::Index n = shot.nodes.begin; n < shot.nodes.end; ++n) nodal += model.nodes.mass[n];
+  for (ogive::Index n = shot.begin; n < shot.end; ++n) nodal += model.nodes.mass[n];
   s.added_mass_g = nodal * model.symmetry.copies() * 1e3 - s.projectile_mass_g;
   s.time_step_us = ogive::stable_time_step(model) * 1e6;
   return s;
+}
+
+/// The parts of a projectile whose parts touch, at the end; none if they are tied.
+template <class M> std::vector<PartResult> parts_of(const M &model, const ogive::Flight<double> &flight) {
+  std::vector<PartResult> all;
+  if (!ogive::parts_touch(model)) return all;
+  for (std::size_t k = 0; k < model.bodies.projectile.size(); ++k) {
+    const auto &part = ogive::projectile(model, k);
+    const ogive::Vec3<double> velocity = ogive::mean_velocity(model.nodes, ogive::nodes_of_part(model, k));
+    all.push_back({part.name.substr(part.name.find('_') + 1), ogive::whole_mass(part.point_mass, model.symmetry) * 1e3,
+                   velocity.dot(flight.direction), k == ogive::main_part(model)});
+  }
+  return all;
 }
 
 /// Restores model, run, shot and course from the checkpoint of the options. Throws SetupError.
@@ -212,7 +225,7 @@ Result run_model(const Options &options, const Plates &metals) {
   Result shot;
   shot.material = name_of(plates);
   shot.sizes = sizes_of(model);
-  shot.flight = ogive::start_flight(c);
+  shot.flight = ogive::start_flight(c, model);
   shot.symmetry = model.symmetry;
   Course course;
   course.frame_interval_us = options.output_every_us;
@@ -281,6 +294,7 @@ Result run_model(const Options &options, const Plates &metals) {
   shot.way = ogive::find_way(model, shot.flight);
   shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(model) * 1e3);
   shot.fragments = ogive::find_fragments(model);
+  shot.parts = parts_of(model, shot.flight);
   for (std::size_t k = 0; k < plates.size(); ++k)
     shot.layers.push_back({plates[k].name, ogive::find_fragments_of(model, k),
                            ogive::plate_shape(model, undeformed[k], shape.diameter / 2, ogive::layers_of(c)[k], k)});

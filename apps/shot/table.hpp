@@ -21,6 +21,7 @@ inline auto choices(Nose) {
 constexpr auto choices(Extent) {
   return options::named<Extent>({{Extent::quarter, "quarter"}, {Extent::half, "half"}, {Extent::full, "full"}});
 }
+constexpr auto choices(Parts) { return options::named<Parts>({{Parts::tied, "tied"}, {Parts::touching, "touching"}}); }
 constexpr auto choices(Lattice) {
   return options::named<Lattice>({{Lattice::cubic, "cubic"}, {Lattice::ring, "ring"}});
 }

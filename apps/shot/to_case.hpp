@@ -29,6 +29,8 @@ inline ogive::PerforationCase<double> to_case(const Options &o) {
   c.yaw = o.yaw_deg * std::numbers::pi / 180;
   c.initial_velocity = o.velocity_mps;
   c.friction = o.friction;
+  c.parts = o.parts;
+  c.part_friction = o.part_friction;
   c.rigid_projectile = o.rigid;
   c.extent = o.extent;
   return c;

@@ -71,6 +71,48 @@ TEST_CASE("core, filler and jacket share nodes and have their volumes", "[mesh]"
   }
 }
 
+TEST_CASE("separated parts have nodes and surfaces of their own", "[mesh]") {
+  // A jacket around a core, each one hex: a row of 2 x 1 x 1 hexes has 12 nodes, of which both share 4.
+  const std::vector<Vec3<double>> line = {{0, 0, 0}, {1e-3, 0, 0}, {2e-3, 0, 0}};
+  PartMesh<double> row{{}, {1, 0}, {"jacket", "core"}};
+  for (const double z : {0.0, 1e-3})
+    for (const double y : {0.0, 1e-3})
+      for (const auto &x : line) row.mesh.positions.push_back(x + Vec3<double>(0, y, z));
+  row.mesh.hexes = {{0, 1, 4, 3, 6, 7, 10, 9}, {1, 2, 5, 4, 7, 8, 11, 10}};
+  REQUIRE(boundary_facets(row.mesh).size() == 10);
+  const auto apart = separated(row);
+  CHECK(apart.mesh.positions.size() == 16);
+  CHECK(boundary_facets(apart.mesh).size() == 12);
+  CHECK(apart.part_of == row.part_of);
+  CHECK(apart.parts == row.parts);
+  // Nodes in the order of the parts: hex 1 is the jacket, its nodes are 1, 2, 4, 5, 7, 8, 10, 11 of the row.
+  CHECK(apart.mesh.hexes[1] == std::array<Index, 8>{0, 1, 3, 2, 4, 5, 7, 6});
+  CHECK(apart.mesh.hexes[0] == std::array<Index, 8>{8, 9, 11, 10, 12, 13, 15, 14});
+  for (std::size_t e = 0; e < 2; ++e)
+    for (std::size_t a = 0; a < 8; ++a)
+      CHECK(apart.mesh.positions[apart.mesh.hexes[e][a]] == row.mesh.positions[row.mesh.hexes[e][a]]);
+  // What is apart stays as it is, and so does a body of one part.
+  CHECK(separated(apart).mesh.hexes == apart.mesh.hexes);
+  row.part_of.clear();
+  CHECK(separated(row).mesh.positions.size() == 12);
+}
+
+TEST_CASE("a separated bullet has the volumes of its parts and each node of an interface twice", "[mesh]") {
+  ProjectileShape<double> shape{Nose::blunt, 20e-3, 30e-3};
+  shape.inner = {bore(6e-3, 30e-3, 30e-3)};
+  const auto body = nested_mesh(shape, 1.5e-3, Extent::quarter), apart = separated(body);
+  CHECK(part_volumes(apart)[0] == part_volumes(body)[0]);
+  CHECK(part_volumes(apart)[1] == part_volumes(body)[1]);
+  // The interface is the cylinder of the core: nodes of the body that hexes of both parts have.
+  std::size_t shared = 0;
+  std::vector<int> of_part(body.mesh.positions.size(), 0);
+  for (std::size_t e = 0; e < body.part_of.size(); ++e)
+    for (const Index n : body.mesh.hexes[e]) of_part[n] |= body.part_of[e] == 0 ? 1 : 2;
+  for (const int bits : of_part) shared += bits == 3;
+  CHECK(shared > 20);
+  CHECK(apart.mesh.positions.size() == body.mesh.positions.size() + shared);
+}
+
 TEST_CASE("surfaces within a projectile that cannot be are refused", "[mesh]") {
   auto shape = tube(25e-3);
   shape.inner.front()[1].radius = 9.9e-3;

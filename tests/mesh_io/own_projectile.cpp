@@ -97,6 +97,27 @@ TEST_CASE("the same body from LS-DYNA and from Abaqus is the same mesh to the la
   CHECK(k.body.part_of == inp.body.part_of);
 }
 
+TEST_CASE("parts that touch may have nodes of their own, and are cut and mirrored like one body") {
+  for (const Extent extent : {Extent::quarter, Extent::half, Extent::full}) {
+    const auto shared = cylinder(Extent::full), apart = separated(shared);
+    // Tied parts must share their nodes.
+    CHECK_THAT(refused(apart, extent), Catch::Matchers::Contains("must be one node, tied parts share the nodes"));
+    const auto own = own_projectile(from_file(apart), extent, Parts::touching);
+    const auto same = own_projectile(from_file(shared), extent, Parts::touching);
+    const auto tied = own_projectile(from_file(shared), extent);
+    CHECK(part_volumes(own.body) == part_volumes(tied.body));
+    CHECK(own.shape.diameter == tied.shape.diameter);
+    CHECK(separated(own.body).mesh.positions == separated(same.body).mesh.positions);
+    CHECK(separated(own.body).mesh.hexes == separated(same.body).mesh.hexes);
+  }
+  // Each part must be one closed body.
+  auto body = block();
+  body.part_of[0] = 1;
+  body.part_of[15] = 0;
+  CHECK_THAT(refusal([&] { own_projectile(from_file(body), Extent::full, Parts::touching); }),
+             Catch::Matchers::Contains("all hexes must be one body, connected by faces"));
+}
+
 TEST_CASE("meshes that are no closed symmetric body of good hexes are refused with hex or node") {
   auto body = block();
   std::swap(body.mesh.hexes[2][0], body.mesh.hexes[2][4]), std::swap(body.mesh.hexes[2][1], body.mesh.hexes[2][5]);
@@ -125,8 +146,8 @@ TEST_CASE("meshes that are no closed symmetric body of good hexes are refused wi
   for (Index n = 4; n < 8; ++n) body.mesh.positions.push_back(body.mesh.positions[n]);
   for (int a = 0; a < 4; ++a) body.mesh.hexes[1][a] += shift - 4;
   CHECK(refused(body) ==
-        "a.k: node 5: lies where node 13 lies, at (0, 0, 1) mm: must be one node, parts share the nodes "
-        "where they meet");
+        "a.k: node 5: lies where node 13 lies, at (0, 0, 1) mm: must be one node, tied parts share the "
+        "nodes where they meet");
 
   body = bricks({0, 1e-3}, {0, 1e-3}, {0, 1e-3, 2e-3, 3e-3});
   body.mesh.hexes.erase(body.mesh.hexes.begin() + 1);

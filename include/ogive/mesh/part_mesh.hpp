@@ -11,7 +11,13 @@
 
 namespace ogive {
 
-/// A mesh of a body of several parts, which share the nodes where they meet.
+/// What holds the parts of a body together where they meet.
+enum class Parts {
+  tied,    ///< they share nodes, and deform together
+  touching ///< each has nodes of its own: they slide on each other, and may come apart
+};
+
+/// A mesh of a body of several parts, which share the nodes where they meet unless they are separated().
 template <class T> struct PartMesh {
   HexMesh<T> mesh;                                  ///< of all parts
   std::vector<std::size_t> part_of{};               ///< of each hex, its place in `parts`; empty: all are of the first
@@ -71,6 +77,28 @@ template <class T, class F> PartMesh<T> without_hexes(const PartMesh<T> &body, F
   for (auto &hex : rest.mesh.hexes)
     for (Index &n : hex) n = place[n];
   return rest;
+}
+
+/// The body with nodes of its own for each part: nodes that parts share are there once for each of them. Nodes are in
+/// the order of the parts, and within a part in that of the body; hexes keep their order.
+template <class T> PartMesh<T> separated(const PartMesh<T> &body) {
+  if (body.part_of.empty()) return body;
+  PartMesh<T> apart{{{}, body.mesh.hexes}, body.part_of, body.parts};
+  for (std::size_t part = 0; part < body.parts.size(); ++part) {
+    std::vector<Index> place(body.mesh.positions.size(), -1);
+    for (std::size_t e = 0; e < body.part_of.size(); ++e)
+      if (body.part_of[e] == part)
+        for (const Index n : body.mesh.hexes[e]) place[n] = 0;
+    for (std::size_t n = 0; n < place.size(); ++n) {
+      if (place[n] < 0) continue;
+      place[n] = static_cast<Index>(apart.mesh.positions.size());
+      apart.mesh.positions.push_back(body.mesh.positions[n]);
+    }
+    for (std::size_t e = 0; e < body.part_of.size(); ++e)
+      if (body.part_of[e] == part)
+        for (Index &n : apart.mesh.hexes[e]) n = place[n];
+  }
+  return apart;
 }
 
 /// Exact volume of each part, m3.

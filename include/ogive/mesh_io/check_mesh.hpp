@@ -115,7 +115,8 @@ inline void check_nodes_apart(const FileMesh &mesh) {
   for (Index n = 0; n < static_cast<Index>(x.size()); ++n)
     if (const Index other = point_at(index, x[n], n); other >= 0)
       throw SetupError(node_place(mesh, n) + ": lies where node " + std::to_string(mesh.node_numbers[other]) +
-                       " lies, at " + place_in_mm(x[n]) + ": must be one node, parts share the nodes where they meet");
+                       " lies, at " + place_in_mm(x[n]) +
+                       ": must be one node, tied parts share the nodes where they meet");
 }
 
 /// Refuses hexes that overlap or are not connected by faces.

@@ -41,6 +41,22 @@ inline std::string node_place(const FileMesh &mesh, Index n) {
   return printable(mesh.file) + ": node " + std::to_string(mesh.node_numbers[n]);
 }
 
+/// One part of a mesh with its own nodes alone, as a mesh of a file.
+inline FileMesh part_of_mesh(const FileMesh &mesh, std::size_t part) {
+  const auto is_of_other = [&](Index e) { return !mesh.body.part_of.empty() && mesh.body.part_of[e] != part; };
+  FileMesh own{mesh.file, without_hexes(mesh.body, is_of_other), {}, {}, {}};
+  std::vector<bool> is_kept(mesh.node_numbers.size(), false);
+  for (Index e = 0; e < static_cast<Index>(mesh.body.mesh.hexes.size()); ++e) {
+    if (is_of_other(e)) continue;
+    own.hex_numbers.push_back(mesh.hex_numbers[e]);
+    if (!mesh.hex_lines.empty()) own.hex_lines.push_back(mesh.hex_lines[e]);
+    for (const Index n : mesh.body.mesh.hexes[e]) is_kept[n] = true;
+  }
+  for (std::size_t n = 0; n < is_kept.size(); ++n)
+    if (is_kept[n]) own.node_numbers.push_back(mesh.node_numbers[n]);
+  return own;
+}
+
 /// Collects the nodes and hexes of a file, in any order, and refuses what is given twice or not at all.
 struct MeshCollector {
   std::string file;                                   ///< its name, for messages

@@ -87,8 +87,9 @@ inline PartMesh<double> positive_side(const PartMesh<double> &body, int axis) {
 
 /// The computed part of a checked mesh: cut in the mirror planes of the extent that it lies on both sides of, mirrored
 /// in those that it ends at and the extent does not have, and moved along z until its tip is at zero. The tip is the
-/// end with the smallest z. Throws SetupError if it is not symmetric where it must be cut.
-inline PartMesh<double> computed_part(const FileMesh &mesh, Extent extent) {
+/// end with the smallest z. Throws SetupError if one of its `pieces`, which share no nodes, is not symmetric where it
+/// must be cut.
+inline PartMesh<double> computed_part(const FileMesh &mesh, Extent extent, const std::vector<FileMesh> &pieces) {
   using namespace own_detail;
   const double tolerance = place_tolerance(mesh);
   const SymmetryPlanes planes = symmetry_planes(extent);
@@ -106,7 +107,8 @@ inline PartMesh<double> computed_part(const FileMesh &mesh, Extent extent) {
     is_mirrored[axis] = one_sided && !needs;
     is_cut[axis] = !one_sided && needs;
     if (one_sided || needs) snap_to_plane(body, axis, tolerance);
-    if (is_cut[axis]) require_symmetric(mesh, axis, tolerance);
+    for (const FileMesh &piece : pieces)
+      if (is_cut[axis]) require_symmetric(piece, axis, tolerance);
   }
   for (int axis = 0; axis < 2; ++axis)
     if (is_cut[axis]) body = positive_side(body, axis);
@@ -149,10 +151,16 @@ inline ProjectileShape<double> shape_of(const PartMesh<double> &body, Extent ext
 }
 
 /// A projectile from a mesh of a file, for an extent of the model. Throws SetupError, one line, if the mesh is not one
-/// closed body of well-shaped hexes, or cannot be cut as the extent needs it.
-inline OwnProjectile own_projectile(const FileMesh &mesh, Extent extent) {
-  check(mesh);
-  PartMesh<double> body = computed_part(mesh, extent);
+/// closed body of well-shaped hexes, or cannot be cut as the extent needs it. Parts that touch are one such body each:
+/// they may have nodes of their own where they meet, or share them.
+inline OwnProjectile own_projectile(const FileMesh &mesh, Extent extent, Parts parts = Parts::tied) {
+  std::vector<FileMesh> pieces;
+  if (parts == Parts::touching)
+    for (std::size_t k = 0; k < mesh.body.parts.size(); ++k) pieces.push_back(part_of_mesh(mesh, k));
+  else
+    pieces.push_back(mesh);
+  for (const FileMesh &piece : pieces) check(piece);
+  PartMesh<double> body = computed_part(mesh, extent, pieces);
   ProjectileShape<double> shape = shape_of(body, extent, mesh.file);
   return {std::move(body), std::move(shape)};
 }

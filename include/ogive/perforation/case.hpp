@@ -42,16 +42,19 @@ template <class T> struct PerforationCase {
                      ///< plate's axis: positive where the obliquity grows; not in a quarter model
   T yaw = T(0);      ///< likewise out of that plane, towards +y; in a full model alone
   T friction = T(0); ///< Coulomb, plate on projectile
+  Parts parts = Parts::tied;            ///< what holds the parts of the projectile together
+  T part_friction = T(0.1);             ///< Coulomb, between parts that touch
   bool rigid_projectile = false;        ///< it moves as one, and does not deform
   Extent extent = Extent::quarter;      ///< how much of the model is computed
   std::vector<PlateBehind<T>> behind{}; ///< more plates, in the order in which the projectile meets them
 };
 
-/// The mesh of the projectile's computed part, tip at z = 0, body at z > 0. Throws SetupError for dimensions or hexes
-/// that cannot be.
+/// The mesh of the projectile's computed part, tip at z = 0, body at z > 0; parts that touch have nodes of their own.
+/// Throws SetupError for dimensions or hexes that cannot be.
 template <class T> PartMesh<T> projectile_body(const PerforationCase<T> &c, T spacing) {
-  if (c.projectile.nose == Nose::mesh) return c.own_mesh;
-  if (!c.projectile.inner.empty()) return nested_mesh(c.projectile, spacing, c.extent);
+  const auto as_held = [&](PartMesh<T> body) { return c.parts == Parts::touching ? separated(body) : body; };
+  if (c.projectile.nose == Nose::mesh) return as_held(c.own_mesh);
+  if (!c.projectile.inner.empty()) return as_held(nested_mesh(c.projectile, spacing, c.extent));
   return {projectile_mesh(c.projectile, spacing, c.extent)};
 }
 

@@ -2,18 +2,21 @@
 #pragma once
 
 #include "ogive/mesh/projectile.hpp"
+#include "ogive/perforation/parts.hpp"
 #include "ogive/perforation/setup.hpp"
 #include "ogive/perforation/way.hpp"
 #include "ogive/sim/energy.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace ogive {
 
-/// The projectile at one time. Velocities are positive along the initial line of flight.
+/// The projectile at one time, or main_part() of it if its parts touch. Velocities are positive along the initial line
+/// of flight.
 template <class T> struct FlightSample {
   T time{};     ///< s
   T velocity{}; ///< mean of the projectile's mass, m/s
@@ -33,6 +36,7 @@ template <class T> struct Flight {
   T initial_velocity{};                         ///< m/s
   Vec3<T> direction{T(0), T(0), T(-1)};         ///< of the initial flight
   bool sharp = false;                           ///< the nose has a length
+  T shorter{};                                  ///< m, between the rear ends of projectile and main_part() at first
   std::vector<FlightSample<T>> samples;         ///< in the order of time
   FlightState state = FlightState::in_progress; ///< by the samples
   std::optional<T> velocity_at_shoulder;        ///< sharp noses: when the shoulder left the rear face, m/s
@@ -60,23 +64,38 @@ template <class T> Flight<T> start_flight(const PerforationCase<T> &c) {
   return flight;
 }
 
+/// Starts the record of a shot with the model before its first step.
+template <class M, class T> Flight<T> start_flight(const PerforationCase<T> &c, const M &model) {
+  Flight<T> flight = start_flight(c);
+  const Vec3<T> axis = direction_of_axis(c);
+  const auto rear_of = [&](const std::vector<Index> &list) {
+    T rear = std::numeric_limits<T>::max();
+    for (const Index n : list) rear = std::min(rear, model.nodes.position[n].dot(axis));
+    return rear;
+  };
+  const std::size_t main = main_part(model);
+  const T rear = rear_of(nodes_of_part(model, main));
+  for (std::size_t k = 0; k < model.bodies.projectile.size(); ++k)
+    flight.shorter = std::max(flight.shorter, rear - rear_of(nodes_of_part(model, k)));
+  return flight;
+}
+
 /// The projectile now. `shape` gives the distance of the shoulder from the tail.
 template <class M, class T>
 FlightSample<T> observe_flight(const M &model, const ProjectileShape<T> &shape, const Flight<T> &flight) {
-  const auto &body = projectile(model);
+  const std::vector<Index> followed = followed_nodes(model);
+  const auto count = static_cast<Index>(followed.size());
   const auto &nodes = model.nodes;
   FlightSample<T> s;
   s.time = model.time;
-  const Vec3<T> velocity = mean_velocity(nodes, body.nodes);
+  const Vec3<T> velocity = mean_velocity(nodes, followed);
   s.velocity = velocity.dot(flight.direction);
   s.advance = -velocity[2];
-  const T lowest =
-      parallel_min(body.nodes.size(), T(1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
-  const T highest =
-      parallel_max(body.nodes.size(), T(-1e30), [&](Index i) { return nodes.position[body.nodes.begin + i][2]; });
+  const T lowest = parallel_min(count, T(1e30), [&](Index i) { return nodes.position[followed[i]][2]; });
+  const T highest = parallel_max(count, T(-1e30), [&](Index i) { return nodes.position[followed[i]][2]; });
   s.nose = -lowest;
   s.tail = -highest;
-  s.shoulder = s.tail - shape.shank_length * flight.direction[2];
+  s.shoulder = s.tail - (shape.shank_length - flight.shorter) * flight.direction[2];
   return s;
 }
 

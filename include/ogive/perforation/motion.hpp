@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ogive/perforation/setup.hpp"
+#include "ogive/perforation/parts.hpp"
 #include "ogive/sim/rigid_part.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace ogive {
 
-/// The motion of a whole projectile, rigid or deformable.
+/// The motion of a projectile, rigid or deformable: of the whole of it, or of main_part() if parts touch.
 template <class T> struct ProjectileMotion {
   T speed{};                           ///< of the centre of mass, m/s
   Vec3<T> direction = Vec3<T>::Zero(); ///< of that motion; zero at rest
@@ -25,10 +25,12 @@ template <class T> T angle_between(const Vec3<T> &a, const Vec3<T> &b) {
   return std::atan2(cross<T>(a, b).norm(), a.dot(b));
 }
 
-/// The undeformed projectile: coordinates of its nodes along its axis, from their centre of mass to the tip, m.
+/// The undeformed projectile: coordinates of its nodes along its axis towards the tip, m, from the centre of mass of
+/// what is followed.
 template <class M, class T> std::vector<T> axial_places(const M &model, const PerforationCase<T> &c) {
-  const NodeRange range = projectile(model).nodes;
-  const Vec3<T> centre = inertia_of(model.nodes, range, model.symmetry).centre, axis = direction_of_axis(c);
+  const NodeRange range = projectile_nodes(model);
+  const Vec3<T> centre = inertia_of(model.nodes, followed_nodes(model), model.symmetry).centre,
+                axis = direction_of_axis(c);
   std::vector<T> places;
   for (Index n = range.begin; n < range.end; ++n) places.push_back((model.nodes.position[n] - centre).dot(axis));
   return places;
@@ -38,16 +40,15 @@ template <class M, class T> std::vector<T> axial_places(const M &model, const Pe
 /// towards the tip lie now, weighted by mass and distance.
 template <class M, class T>
 ProjectileMotion<T> motion_of(const M &model, const PerforationCase<T> &c, const std::vector<T> &places) {
-  const NodeRange range = projectile(model).nodes;
-  const Inertia<T> now = inertia_of(model.nodes, range, model.symmetry);
+  const Index first = projectile_nodes(model).begin;
+  const std::vector<Index> followed = followed_nodes(model);
+  const Inertia<T> now = inertia_of(model.nodes, followed, model.symmetry);
   ProjectileMotion<T> motion;
   motion.speed = now.velocity.norm();
   if (motion.speed > T(0)) motion.direction = now.velocity / motion.speed;
   motion.deflection = motion.speed > T(0) ? angle_between(motion.direction, direction_of_flight(c)) : T(0);
-  for (Index i = 0; i < range.size(); ++i) {
-    const Index n = range.begin + i;
-    motion.axis += model.nodes.mass[n] * places[i] * (model.nodes.position[n] - now.centre);
-  }
+  for (const Index n : followed)
+    motion.axis += model.nodes.mass[n] * places[n - first] * (model.nodes.position[n] - now.centre);
   if (model.symmetry.x) motion.axis[0] = T(0);
   if (model.symmetry.y) motion.axis[1] = T(0);
   motion.axis.normalize();

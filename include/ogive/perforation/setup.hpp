@@ -9,6 +9,7 @@
 #include "ogive/mesh/projectile.hpp"
 #include "ogive/perforation/case.hpp"
 #include "ogive/perforation/method.hpp"
+#include "ogive/perforation/part_contacts.hpp"
 #include "ogive/perforation/plates.hpp"
 #include "ogive/sim/model.hpp"
 #include "ogive/sim/run.hpp"
@@ -36,7 +37,8 @@ template <class M> auto &plate_particles(M &model, std::size_t layer = 0) {
 }
 /// The hexes of a plate: around its particles, or all of it.
 template <class M> auto &plate_hexes(M &model, std::size_t layer = 0) { return model.bodies.plate_hexes[layer]; }
-/// A part of the projectile: the only one, or the first. All parts have the nodes of the whole projectile.
+/// A part of the projectile: the only one, or the first. Tied parts have the nodes of the whole projectile, parts that
+/// touch have their own, one after the other.
 template <class M> auto &projectile(M &model, std::size_t part = 0) { return model.bodies.projectile[part]; }
 
 /// Holds the nodes of a range at `radius` (m) from the z axis or beyond in all directions.
@@ -142,6 +144,7 @@ std::vector<Metal<T, Law>> metals_of_mass(std::vector<Metal<T, Law>> metals, con
 /// Throws SetupError unless the sizes of a case fit together.
 template <class T> void check(const PerforationCase<T> &c) {
   check(c.projectile);
+  check_parts(c);
   require(std::isfinite(c.projectile_mass) && c.projectile_mass >= T(0), "projectile's mass (kg)", c.projectile_mass,
           "must be positive, or 0 for that of its metal");
   require(c.obliquity >= T(0) && c.obliquity <= T(1.05), "obliquity (rad)", c.obliquity, "must lie between 0 and 1.05");
@@ -172,7 +175,8 @@ template <class T> void check(const PerforationCase<T> &c) {
           "must be positive");
 }
 
-/// Adds the projectile, which touches the first plate and flies at it: a body for each part, all on the same nodes.
+/// Adds the projectile, which touches the first plate and flies at it: a body for each part, all on the same nodes, or
+/// on their own if parts touch.
 template <class Rule, class T, class Law>
 std::vector<HexBody<T, Law, Rule>> add_projectile(Nodes<T> &nodes, const PerforationCase<T> &c, const PartMesh<T> &body,
                                                   const std::vector<Metal<T, Law>> &metals,
@@ -183,6 +187,11 @@ std::vector<HexBody<T, Law, Rule>> add_projectile(Nodes<T> &nodes, const Perfora
   std::vector<HexBody<T, Law, Rule>> parts;
   if (metals.size() == 1) {
     parts.push_back(add_hex_body<Rule>(nodes, body.mesh, heavy.front(), "projectile", options, rule));
+  } else if (c.parts == Parts::touching) {
+    for (std::size_t k = 0; k < metals.size(); ++k) {
+      const auto own = without_hexes(body, [&](Index e) { return body.part_of[e] != k; });
+      parts.push_back(add_hex_body<Rule>(nodes, own.mesh, heavy[k], "projectile_" + body.parts[k], options, rule));
+    }
   } else {
     const NodeRange range = add_nodes(nodes, body.mesh.positions);
     for (std::size_t k = 0; k < metals.size(); ++k) {
@@ -195,7 +204,7 @@ std::vector<HexBody<T, Law, Rule>> add_projectile(Nodes<T> &nodes, const Perfora
       for (Index n = 0; n < range.size(); ++n) nodes.mass[range.begin + n] += own.mass[n];
     }
   }
-  const NodeRange range = parts.front().nodes;
+  const NodeRange range{parts.front().nodes.begin, parts.back().nodes.end};
   hold_on_planes(nodes, range, symmetry_planes(c.extent), tolerance);
   set_velocity(nodes, range, Vec3<T>(c.initial_velocity * direction_of_flight(c)));
   return parts;
@@ -244,13 +253,15 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   const ContactOptions<T> surface{.friction = c.friction,
                                   .stiffness = options.contact_stiffness,
                                   .rigid_masters = c.rigid_projectile,
-                                  .reentrant = c.projectile.is_hollow || c.projectile.nose == Nose::mesh};
+                                  .reentrant = c.projectile.is_hollow || c.projectile.nose == Nose::mesh ||
+                                               c.parts == Parts::touching};
   auto contact = make_contact(
       nodes, std::move(slaves.nodes), std::move(slaves.offset),
       shifted(facets_of_parts(contact_facets(shot_body.mesh, c.extent), shot_body), shot.front().nodes.begin),
       "plate on projectile", surface, planes);
   contact.state.reference_time_step = step_of_contact;
   std::vector<NodeToSurface<T>> contacts{std::move(contact)};
+  if (c.parts == Parts::touching && shot.size() > 1) add_part_contacts(contacts, nodes, shot, c.part_friction);
   std::vector<ParticleContact<T>> particle_contacts;
   if (layers > 1) {
     add_rim_contacts(contacts, nodes, particles, hexes, facets, c.sph_radius);

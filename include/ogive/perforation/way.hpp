@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/perforation/parts.hpp"
 #include "ogive/perforation/plug.hpp"
 
 #include <limits>
@@ -15,7 +16,7 @@ template <class T> struct Way {
   T later_loss{};      ///< m/s, that loose metal before the projectile takes once they move as one; 0 if that is faster
 };
 
-/// The projectile's axis of motion.
+/// The projectile's axis of motion: that of the nodes that are followed, see followed_nodes().
 template <class T> struct Axis {
   Vec3<T> middle;    ///< m, centre of mass
   Vec3<T> direction; ///< unit vector of the mean velocity
@@ -29,10 +30,10 @@ template <class T> struct Axis {
 /// slowly than `least_speed` (m/s), where the direction of its velocity has no meaning.
 template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T> &direction, T least_speed) {
   const auto &nodes = model.nodes;
-  const NodeRange range = projectile(model).nodes;
+  const std::vector<Index> followed = followed_nodes(model);
   Vec3<T> middle = Vec3<T>::Zero(), velocity = Vec3<T>::Zero();
   T mass{};
-  for (Index n = range.begin; n < range.end; ++n)
+  for (const Index n : followed)
     mass += nodes.mass[n], middle += nodes.mass[n] * nodes.position[n], velocity += nodes.mass[n] * nodes.velocity[n];
   if (model.symmetry.x) middle[0] = velocity[0] = T(0);
   if (model.symmetry.y) middle[1] = velocity[1] = T(0);
@@ -41,7 +42,7 @@ template <class M, class T> Axis<T> axis_of_motion(const M &model, const Vec3<T>
   constexpr T infinite = std::numeric_limits<T>::infinity();
   Axis<T> axis{middle / mass, moves ? velocity.normalized() : direction, velocity.dot(direction), mass, -infinite,
                infinite};
-  for (Index n = range.begin; n < range.end; ++n) {
+  for (const Index n : followed) {
     const T along = (nodes.position[n] - axis.middle).dot(axis.direction);
     axis.front = std::max(axis.front, along), axis.rear = std::min(axis.rear, along);
   }

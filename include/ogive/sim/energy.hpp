@@ -7,18 +7,20 @@
 #include "ogive/sim/model.hpp"
 #include "ogive/sph/body.hpp"
 
+#include <vector>
+
 namespace ogive {
 
 /// Where the energy of the whole model is, J (symmetric copies included). All but `kinetic` and `elastic` are work done
 /// since the start.
 template <class T> struct Energy {
-  T kinetic{};    ///< of all nodes
-  T elastic{};    ///< stored in the metal
-  T plastic{};    ///< work of the stresses that is not elastic
-  T hourglass{};  ///< work of hourglass control
-  T viscous{};    ///< artificial and bulk viscosity
-  T contact{};    ///< in penalty springs
-  T friction{};   ///< heat of Coulomb friction
+  T kinetic{};   ///< of all nodes
+  T elastic{};   ///< stored in the metal
+  T plastic{};   ///< work of the stresses that is not elastic
+  T hourglass{}; ///< work of hourglass control
+  T viscous{};   ///< artificial and bulk viscosity
+  T contact{};   ///< in penalty springs
+  T friction{};  ///< heat of Coulomb friction
 };
 
 /// Sum of all parts, J: constant in time.
@@ -62,7 +64,8 @@ template <class T, class Bodies> Energy<T> energy(const Model<T, Bodies> &model)
   }
   for (const auto &contact : model.particle_contacts) e.contact += normal_energy(contact);
   const T copies = T(model.symmetry.copies());
-  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction}) *part *= copies;
+  for (T *part : {&e.kinetic, &e.elastic, &e.plastic, &e.hourglass, &e.viscous, &e.contact, &e.friction})
+    *part *= copies;
   return e;
 }
 
@@ -82,6 +85,16 @@ template <class T> Vec3<T> mean_velocity(const Nodes<T> &nodes, NodeRange range)
   const T mass = ordered_sum(range.size(), T(0), [&](Index i) { return nodes.mass[range.begin + i]; });
   const Vec3<T> momentum = ordered_sum(range.size(), Vec3<T>(Vec3<T>::Zero()), [&](Index i) -> Vec3<T> {
     return nodes.mass[range.begin + i] * nodes.velocity[range.begin + i];
+  });
+  return momentum / mass;
+}
+
+/// Mean velocity of the nodes of a list, m/s.
+template <class T> Vec3<T> mean_velocity(const Nodes<T> &nodes, const std::vector<Index> &list) {
+  const auto count = static_cast<Index>(list.size());
+  const T mass = ordered_sum(count, T(0), [&](Index i) { return nodes.mass[list[i]]; });
+  const Vec3<T> momentum = ordered_sum(count, Vec3<T>(Vec3<T>::Zero()), [&](Index i) -> Vec3<T> {
+    return nodes.mass[list[i]] * nodes.velocity[list[i]];
   });
   return momentum / mass;
 }

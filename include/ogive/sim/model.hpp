@@ -24,7 +24,7 @@ namespace ogive {
 template <class Particles, class Hexes, class Projectile> struct PerforationBodies {
   std::vector<Particles> plate_particles; ///< of each plate, from front to rear
   std::vector<Hexes> plate_hexes;         ///< of each plate, from front to rear
-  std::vector<Projectile> projectile;     ///< its parts, at least one: hexes on the same range of nodes, a metal each
+  std::vector<Projectile> projectile;     ///< its parts, at least one, a metal each: on the same nodes, or on their own
 };
 
 ///@{

@@ -23,10 +23,13 @@ template <class T> struct Inertia {
   Mat3<T> tensor = Mat3<T>::Zero();           ///< about the centre of mass, kg m2
 };
 
-/// Those of the nodes of a range as points of mass. Symmetry decides where the whole's centre is: in a mirror plane.
-template <class T> Inertia<T> inertia_of(const Nodes<T> &nodes, NodeRange range, SymmetryPlanes symmetry = {}) {
+/// Those of `count` nodes, `node_at(i)` each, as points of mass. Symmetry decides where the whole's centre is: in a
+/// mirror plane.
+template <class T, class F>
+Inertia<T> inertia_over(const Nodes<T> &nodes, Index count, F &&node_at, SymmetryPlanes symmetry) {
   Inertia<T> all;
-  for (Index n = range.begin; n < range.end; ++n) {
+  for (Index i = 0; i < count; ++i) {
+    const Index n = node_at(i);
     all.mass += nodes.mass[n];
     all.centre += nodes.mass[n] * nodes.position[n];
     all.velocity += nodes.mass[n] * nodes.velocity[n];
@@ -34,13 +37,27 @@ template <class T> Inertia<T> inertia_of(const Nodes<T> &nodes, NodeRange range,
   all.centre /= all.mass, all.velocity /= all.mass;
   if (symmetry.x) all.centre[0] = all.velocity[0] = T(0);
   if (symmetry.y) all.centre[1] = all.velocity[1] = T(0);
-  for (Index n = range.begin; n < range.end; ++n) {
+  for (Index i = 0; i < count; ++i) {
+    const Index n = node_at(i);
     const Vec3<T> arm = nodes.position[n] - all.centre;
     all.angular_momentum += nodes.mass[n] * cross<T>(arm, Vec3<T>(nodes.velocity[n] - all.velocity));
     all.tensor += nodes.mass[n] * (arm.squaredNorm() * Mat3<T>::Identity() - arm * arm.transpose());
   }
   return all;
 }
+
+///@{
+/// Those of the nodes of a range or of a list, see inertia_over().
+template <class T> Inertia<T> inertia_of(const Nodes<T> &nodes, NodeRange range, SymmetryPlanes symmetry = {}) {
+  return inertia_over(
+      nodes, range.size(), [&](Index i) { return range.begin + i; }, symmetry);
+}
+template <class T>
+Inertia<T> inertia_of(const Nodes<T> &nodes, const std::vector<Index> &list, SymmetryPlanes symmetry = {}) {
+  return inertia_over(
+      nodes, static_cast<Index>(list.size()), [&](Index i) { return list[i]; }, symmetry);
+}
+///@}
 
 /// Nodes that move as one. A part without `arms` keeps its direction, one of make_rigid_part() turns as well.
 template <class T> struct RigidPart {
