@@ -47,14 +47,15 @@
   extern_ template double raise_time_step(__VA_ARGS__ &, Nodes<double> &, double);                                     \
   extern_ template Index first_inverted(const __VA_ARGS__ &, const Nodes<double> &);                                   \
   extern_ template Fault inverted_fault(const __VA_ARGS__ &, const Nodes<double> &, Index);                            \
+  extern_ template Index erode(__VA_ARGS__ &, const Nodes<double> &, SymmetryPlanes, double, double, Index);           \
   extern_ template void gather_body(Frame &, const Nodes<double> &, const __VA_ARGS__ &, int);
 
 /// The functions of a type of perforation model, with the flow laws of its plates and its projectile and its
 /// Discretisation.
 #define OGIVE_PERFORATION(extern_, Model_, Law_, ShotLaw_, Parts_)                                                     \
   extern_ template Model_ make_perforation(const PerforationCase<double> &, const std::vector<Metal<double, Law_>> &,  \
-                                           const std::vector<Metal<double, ShotLaw_>> &,                               \
-                                           PerforationOptions<double>, const Parts_ &);                                \
+                                           const std::vector<Metal<double, ShotLaw_>> &, PerforationOptions<double>,   \
+                                           const Parts_ &);                                                            \
   extern_ template void step(Model_ &, double);                                                                        \
   extern_ template Energy<double> energy(const Model_ &);                                                              \
   extern_ template double stable_time_step(const Model_ &);                                                            \
@@ -62,6 +63,7 @@
   extern_ template std::optional<Fault> find_not_finite(const Model_ &);                                               \
   extern_ template std::optional<Fault> find_inverted(const Model_ &, Index);                                          \
   extern_ template std::optional<Fault> find_turned(const Model_ &);                                                   \
+  extern_ template void erode(Model_ &, double, Index);                                                                \
   extern_ template std::optional<Fault> find_fault(const Model_ &, const RunOptions<double> &,                         \
                                                    const RunState<double> &);                                          \
   extern_ template std::optional<Fault> find_small_step(const Model_ &, const RunOptions<double> &,                    \

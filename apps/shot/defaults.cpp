@@ -48,7 +48,7 @@ std::string label_of(const Options &o, const options::Option &option) {
     const std::string metal = shown(option);
     return materials::label_of(metal);
   }
-  if (option.key == std::string_view("rigid")) return option.toml();
+  if (option.kind == options::Kind::truth) return option.toml();
   if (option.kind == options::Kind::whole) return option.toml();
   if (option.kind == options::Kind::number) {
     const auto number = ogive::number_from(option.toml());

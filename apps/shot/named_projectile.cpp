@@ -17,7 +17,7 @@ using options::Given;
 using options::Origins;
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 23> keys{"nose",
+constexpr std::array<std::string_view, 24> keys{"nose",
                                                 "diameter_mm",
                                                 "length_mm",
                                                 "nose_length_mm",
@@ -39,6 +39,7 @@ constexpr std::array<std::string_view, 23> keys{"nose",
                                                 "filler_profile_mm",
                                                 "core_profile_mm",
                                                 "projectile_metal",
+                                                "projectile_erosion",
                                                 "rigid"};
 
 /// A name that means a nose and nothing else: --nose.
@@ -162,6 +163,7 @@ void copy_projectile(const Options &from, Options &to) {
   to.part_metals = from.part_metals, to.parts = from.parts, to.part_friction = from.part_friction;
   to.bore_radius_mm = from.bore_radius_mm, to.bore_depth_mm = from.bore_depth_mm;
   to.filler_profile_mm = from.filler_profile_mm, to.core_profile_mm = from.core_profile_mm;
+  to.projectile_erosion = from.projectile_erosion;
   to.mass_g = from.mass_g, to.projectile_metal = from.projectile_metal, to.rigid = from.rigid;
 }
 

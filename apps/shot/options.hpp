@@ -79,6 +79,7 @@ struct Options {
   std::vector<std::string> part_metals;  ///< "PART=METAL"; empty: projectile_metal for all
   Parts parts = Parts::tied;             ///< what holds the parts of the projectile together
   double part_friction = 0.1;            ///< Coulomb, between parts that touch
+  bool projectile_erosion = true;        ///< its hexes that are too distorted are removed
   double bore_radius_mm = 0;             ///< of a bore from the rear; 0: none
   double bore_depth_mm = 0;              ///< of that bore
   std::vector<double> filler_profile_mm; ///< z and r of the surface within the jacket in turn; empty: no filler

@@ -216,6 +216,8 @@ nlohmann::ordered_json summary_of(const Options &o, const Result &s, const std::
     if (part.is_followed) j["followed_part"] = part.name;
     j["parts"].push_back({{"name", part.name}, {"mass_g", part.mass_g}, {"velocity_mps", part.velocity_mps}});
   }
+  j["removed_hexes"] = s.removed_hexes;
+  j["removed_mass_g"] = s.removed_mass_g;
   j["added_mass_g"] = s.sizes.added_mass_g;
   j["projectile_scaled_jacobian"] = s.sizes.projectile_jacobian;
   j["largest_intrusion_mm"] = s.intrusion_mm;
@@ -312,6 +314,9 @@ void print_table(const Options &o, const Result &s, const std::optional<experime
   for (const PartResult &part : s.parts)
     if (!part.is_followed)
       std::printf("  %-22s %.3g g at %.1f m/s\n", part.name.c_str(), part.mass_g, part.velocity_mps);
+  if (s.removed_hexes > 0)
+    std::printf("  %-22s %ld of those computed, %.3g g, %.2g %% of the projectile\n", "removed hexes", s.removed_hexes,
+                s.removed_mass_g, 100 * s.removed_mass_g / s.sizes.projectile_mass_g);
   for (std::size_t k = 0; k < o.layers_mm.size(); ++k)
     std::printf("  %-22s %.2f g at %.1f m/s, %g mm of %s\n", ("  of plate " + std::to_string(k + 1)).c_str(),
                 s.layers[k].fragments.plug_mass * 1e3, s.layers[k].fragments.plug_velocity, o.layers_mm[k],

@@ -66,6 +66,8 @@ struct Result {
   ogive::ProjectileMotion<double> motion; ///< likewise
   ogive::Fragments<double> fragments;     ///< of all plates
   std::vector<LayerResult> layers;        ///< one for each plate
+  long removed_hexes = 0;                 ///< of the projectile, by erosion, of the computed part
+  double removed_mass_g = 0;              ///< of those, of the whole model
   std::vector<PartResult> parts;          ///< of a projectile whose parts touch; empty: they are tied
   Swing swing;                            ///< for --settle-us
   double intrusion_mm = 0;                ///< particle behind the projectile's surface, deepest of all times of a check

@@ -86,6 +86,18 @@ std::string described(const ogive::Fault &fault) {
   return subject + ": " + fault.what + remedy;
 }
 
+/// Share of the projectile's mass that may be removed with its hexes without a warning.
+constexpr double much_removed = 0.03;
+
+/// A warning if much of the projectile has been removed; else empty.
+std::string removal_warning(const Result &shot) {
+  const double share = shot.removed_mass_g / shot.sizes.projectile_mass_g;
+  if (!(share > much_removed)) return "";
+  return options::printed("%.2g %% of the projectile's mass was in hexes that have been removed because they were too "
+                          "distorted: take the result with care, or compute with a finer --spacing-mm",
+                          100 * share);
+}
+
 /// Prints why a run did not come to its end, and how it resumes.
 void print_problem(const Options &options, const std::string &problem) {
   std::fprintf(stderr, "ogive shoot: %s\n", problem.c_str());
@@ -156,6 +168,8 @@ Outcome run(const Options &o, Output output) {
     return ends_with(interrupted + shot.interrupted_by, text);
   }
   if (prints) print_table(o, shot, test);
+  if (const std::string warning = removal_warning(shot); prints && !warning.empty())
+    std::fprintf(stderr, "ogive shoot: warning: %s\n", warning.c_str());
   write_summary(o, shot, test);
   if (prints)
     if (const std::string left_out = draw(o, shot, test); !left_out.empty())

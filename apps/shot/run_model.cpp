@@ -295,6 +295,9 @@ Result run_model(const Options &options, const Plates &metals) {
   shot.intrusion_mm = std::max(shot.intrusion_mm, ogive::largest_intrusion(model) * 1e3);
   shot.fragments = ogive::find_fragments(model);
   shot.parts = parts_of(model, shot.flight);
+  const auto removed = ogive::removed_hexes(model);
+  shot.removed_hexes = removed.count;
+  shot.removed_mass_g = removed.mass * model.symmetry.copies() * 1e3;
   for (std::size_t k = 0; k < plates.size(); ++k)
     shot.layers.push_back({plates[k].name, ogive::find_fragments_of(model, k),
                            ogive::plate_shape(model, undeformed[k], shape.diameter / 2, ogive::layers_of(c)[k], k)});

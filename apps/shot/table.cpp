@@ -178,6 +178,9 @@ void add_projectile(Table &t, Options &o) {
   add_projectile_metal(t, o);
   add(t, o.rigid, {.key = "rigid", .meaning = "the projectile moves and turns as one, and does not deform",
       .source = "no: paper", .brief = "the projectile does not deform"});
+  add(t, o.projectile_erosion, {.key = "projectile_erosion", .meaning = "hexes of the projectile that are too "
+      "distorted to be computed with are removed, and their mass stays at their nodes; else they stop the run",
+      .source = "yes: ours"});
   add(t, o.obliquity_deg, {.key = "obliquity_deg",
       .meaning = "angle between the line of flight and the plate's axis; needs --extent half or full",
       .source = "tests", .limits = {0, 60, "deg"}});

@@ -31,6 +31,7 @@ inline ogive::PerforationCase<double> to_case(const Options &o) {
   c.friction = o.friction;
   c.parts = o.parts;
   c.part_friction = o.part_friction;
+  c.erosion = o.projectile_erosion;
   c.rigid_projectile = o.rigid;
   c.extent = o.extent;
   return c;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # projectiles.sh <ogive> <folder>: the guide's worked cases with projectiles at a coarse size. A bullet's core and a fragment
 # simulator at aluminium far above and far below the measured limit, an oblique and yawed shot whose projectile turns, a body
-# of revolution from a file. Works in the folder.
+# of revolution from a file, a bullet whose jacket peels off. Works in the folder.
 set -euo pipefail
 
 ogive=$1
@@ -99,6 +99,24 @@ shoot bullet --projectile apm2_762 --rigid --material aa6061_t651 --thickness-mm
 require_verdict bullet perforated
 require_between bullet projectile_mass_g 10.69 10.71
 require_between bullet energy_error 0 0.001
+
+# Deformable, with parts that touch: the jacket peels off and is left behind, its hexes at the tip are removed. The shot is
+# that of the core. Energy within 0.5 %: what is removed is booked.
+shoot peeling --projectile apm2_762 --parts touching --thickness-mm 6 --clamp-radius-mm 50 --spacing-mm 1.2 \
+  --sph-radius-mm 10 --velocity-mps 800
+require_verdict peeling perforated
+[ "$(number peeling followed_part)" = '"core"' ] || fail "peeling: follows $(number peeling followed_part)"
+require_between peeling residual_velocity_mps 500 790
+require_between peeling removed_hexes 10 1000
+require_between peeling energy_error 0 0.005
+jacket=$(grep -A2 '"name": "jacket"' peeling/summary.json | sed -n 's/.*"velocity_mps": \(.*\)/\1/p')
+awk -v x="$jacket" 'BEGIN { exit !(x + 0 < 500) }' || fail "peeling: the jacket flies on at $jacket m/s"
+grep -q "mass was in hexes that have been removed" peeling.log || fail "peeling: no warning: $(cat peeling.log)"
+
+# A fragment simulator whose head mushrooms and folds back; without contact that knows folds a particle was lost there.
+shoot fsp_fast --projectile fsp_20mm --thickness-mm 12 --velocity-mps 900 --spacing-mm 2
+require_between fsp_fast energy_error 0 0.005
+[ "$(number fsp_fast verdict)" != '"undecided"' ] || fail "fsp_fast: undecided"
 
 # A tube: pi (10^2 - 7^2) 40 mm3.
 shoot tube --bore-radius-mm 7 --bore-depth-mm 40 --length-mm 40 --thickness-mm 4 --spacing-mm 2 --clamp-radius-mm 40 \

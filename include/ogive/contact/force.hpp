@@ -31,7 +31,10 @@ template <class T> void add_force_on_slave(NodeToSurface<T> &contact, Nodes<T> &
   const Index s = contact.candidates.active[a], node = contact.slaves[s];
   if (state.room[s] > T(0)) return;
   ContactForce<T> now;
-  const Touch<T> touch = find_touch(contact, nodes, a);
+  const Vec3<T> p = on_model_side(contact, nodes.position, s);
+  NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[s] + contact.search_margin);
+  if (!nearest.outside && !can_be_inside(contact, s, std::sqrt(nearest.point.distance_squared))) nearest.outside = true;
+  const Touch<T> touch = touch_at(contact, nodes, a, nearest);
   state.room[s] = T(0.99) * touch.room; // the closest point is known to 1e-6 of its distance
   if (touch.lost) {
     now.lost = state.slave_mass[s] > T(0); // a deactivated slave may be anywhere
@@ -46,14 +49,20 @@ template <class T> void add_force_on_slave(NodeToSurface<T> &contact, Nodes<T> &
 }
 
 /// Deactivates the slaves whose material has been removed from `body`: without a mass that makes the penalty they feel
-/// no force. Facets stay, also those of removed hexes.
-template <class T, class Body> void release_removed(NodeToSurface<T> &contact, const Body &body) {
-  if (body.metal.damage.effect != FailureEffect::removal) return;
+/// no force.
+template <class T, class Body> void deactivate_removed(NodeToSurface<T> &contact, const Body &body) {
   parallel_for(static_cast<Index>(contact.slaves.size()), [&](Index s) {
     const Index n = contact.slaves[s];
     if (n >= body.nodes.begin && n < body.nodes.end && is_node_removed(body, n - body.nodes.begin))
       contact.state.slave_mass[s] = T(0);
   });
+}
+
+/// deactivate_removed() for a body whose material may be removed by damage in any step. Facets stay, also those of
+/// removed hexes.
+template <class T, class Body> void release_removed(NodeToSurface<T> &contact, const Body &body) {
+  const auto &damage = body.metal.damage;
+  if (damage.effect == FailureEffect::removal && damage.law != DamageLaw::none) deactivate_removed(contact, body);
 }
 
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt_old` (s; the step to

@@ -33,14 +33,14 @@ template <class T> struct ContactForce {
 
 /// The state of a contact in a run.
 template <class T> struct ContactState {
-  std::vector<T> slave_mass;             ///< kg; 0: deactivated
-  T reference_time_step{};               ///< s, of the stiffness; 0: that of the first step
-  std::vector<ContactForce<T>> forces;   ///< one for each slave
-  std::vector<T> normal_energy;          ///< J, work taken by the penalty springs, one for each slave
-  std::vector<T> friction_energy;        ///< J, one for each slave
-  Index lost = -1;                       ///< the first slave that got lost behind the surface; -1: none
-  std::vector<Vec3<T>> searched_at;      ///< positions of all nodes at the last search, m
-  std::vector<Vec3<T>> checked_at;       ///< positions of all nodes at the last check of the slaves, m
+  std::vector<T> slave_mass;           ///< kg; 0: deactivated
+  T reference_time_step{};             ///< s, of the stiffness; 0: that of the first step
+  std::vector<ContactForce<T>> forces; ///< one for each slave
+  std::vector<T> normal_energy;        ///< J, work taken by the penalty springs, one for each slave
+  std::vector<T> friction_energy;      ///< J, one for each slave
+  Index lost = -1;                     ///< the first slave that got lost behind the surface; -1: none
+  std::vector<Vec3<T>> searched_at;    ///< positions of all nodes at the last search, m
+  std::vector<Vec3<T>> checked_at;     ///< positions of all nodes at the last check of the slaves, m
   std::vector<T> room; ///< m, how far each slave and the surface may still approach before they can touch
 };
 
@@ -62,6 +62,8 @@ template <class T> struct NodeToSurface {
   std::vector<Index> slaves;                 ///< node numbers
   std::vector<T> offset;                     ///< m, one for each slave
   std::vector<Facet> facets;                 ///< masters, outward
+  std::vector<Index> eroding;                ///< bodies whose exposed faces the facets are, see sim/erosion.hpp
+  bool torn = false;                         ///< hexes behind the facets have been removed: it may have any form
   std::vector<Index> masters;                ///< the nodes of the facets, each once
   std::vector<std::array<T, 4>> master_mass; ///< kg, of each facet's nodes with their mirror images; empty: rigid
   T search_margin{};                         ///< m, how far slave and facet may approach before the next search

@@ -34,11 +34,27 @@ ContactForce<T> contact_force(const Touch<T> &touch, const ContactOptions<T> &op
 
 /// Mass that the penalty stiffness of slave `s` is made with, kg: the smaller of its own and the facet's at the point
 /// of contact, so that light facet nodes stay stable.
-template <class T> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touch<T> &touch) {
+/// `touch` is a Touch or ContactForce.
+template <class T, class Touching> T penalty_mass(const NodeToSurface<T> &contact, Index s, const Touching &touch) {
   if (contact.master_mass.empty()) return contact.state.slave_mass[s];
   T facet_mass{};
   for (int c = 0; c < 4; ++c) facet_mass += touch.weights[c] * contact.master_mass[touch.facet][c];
   return std::min(contact.state.slave_mass[s], facet_mass);
+}
+
+/// Whether slave `s` can be inside a surface from which hexes may have been removed, `distance` (m) behind it. It seems
+/// so beside a fold, where the surface overlaps itself and has no side. A slave does not get far inside in one step:
+/// one that was not as deep in the last step is outside. While nothing has been removed only the slaves that would be
+/// lost are checked.
+template <class T> bool can_be_inside(const NodeToSurface<T> &contact, Index s, T distance) {
+  if (contact.eroding.empty() || (!contact.torn && distance <= contact.search_margin)) return true;
+  const ContactForce<T> &last = contact.state.forces[s];
+  T depth{};
+  if (const T mass = last.facet < 0 ? T(0) : penalty_mass(contact, s, last); mass > T(0)) {
+    const T dt = contact.state.reference_time_step;
+    depth = last.normal.norm() * dt * dt / (contact.options.stiffness * mass);
+  }
+  return contact.offset[s] + distance - depth < T(0.25) * contact.search_margin;
 }
 
 /// Adds the reaction to a force on a slave, times `sign`, to the forces of the facet's nodes.

@@ -110,7 +110,7 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
   if (facet < 0) return {};
   // On a convex surface, where few slaves are inside, one that seems outside by the nearest facet is outside.
   const bool seems_outside = best.normal.dot(p - best.position) >= T(0);
-  const bool outside = (seems_outside && !contact.options.reentrant) ||
+  const bool outside = (seems_outside && !contact.options.reentrant && !contact.torn) ||
                        is_outside(contact, nodes, a, p, std::sqrt(best.distance_squared));
   return {facet, best, outside};
 }

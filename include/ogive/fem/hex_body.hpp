@@ -59,6 +59,7 @@ template <class T, class Law, class Rule = OnePoint, class Width = SimdWidth> st
   std::vector<std::array<Index, 8>> hexes; ///< corners, indices into Nodes
   MaterialPoints<T> points;                ///< state of the metal
   std::vector<T> point_mass;               ///< kg, constant, of each point
+  bool erodes = false;                     ///< hexes that are too distorted are removed, see fem/erosion.hpp
 
   // History, one for each hex.
   std::vector<HourglassModes<T>> hourglass_force; ///< N, generalised; empty with SelectiveReduced
@@ -201,10 +202,10 @@ template <class T, class Law, class Rule> bool is_removed(const HexBody<T, Law, 
   return body.metal.damage.effect == FailureEffect::removal && is_failed(body, e);
 }
 
-/// True if the `n`-th node of the body belongs to nothing but removed hexes.
+/// True if the `n`-th node of the body belongs to removed hexes of it and to no other.
 template <class T, class Law, class Rule> bool is_node_removed(const HexBody<T, Law, Rule> &body, Index n) {
-  if (body.metal.damage.effect != FailureEffect::removal) return false;
   const CornersOfNodes &list = body.corners_of_nodes;
+  if (body.metal.damage.effect != FailureEffect::removal || list.begin[n] == list.begin[n + 1]) return false;
   for (Index k = list.begin[n]; k < list.begin[n + 1]; ++k)
     if (!is_removed(body, list.corners[k] / 8)) return false;
   return true;

@@ -3,6 +3,7 @@
 
 #include "ogive/io/atomic_file.hpp"
 #include "ogive/io/checkpoint_file.hpp"
+#include "ogive/sim/erosion.hpp"
 #include "ogive/sim/fingerprint.hpp"
 #include "ogive/sim/state.hpp"
 
@@ -169,6 +170,7 @@ template <class T, class Bodies> void restore(const Checkpoint &checkpoint, Mode
   RunState<T> restored_run;
   for_each_state_field(restored, restored_run, reader);
   if (!reader.rest.empty()) refuse_checkpoint(checkpoint.file, "is damaged: it has bytes left over");
+  renew_facets(restored);
   checkpoint_detail::check_restored(restored, checkpoint.file);
   renew_lists(restored);
   model = std::move(restored);

@@ -244,13 +244,16 @@ inline std::size_t nearest_frame(const StoredSeries &series, double time) {
       std::distance(series.frames.begin(), std::min_element(series.frames.begin(), series.frames.end(), nearer)));
 }
 
-/// Throws SetupError unless all hexes lie on the computed side of the planes. Their nodes are held there; particles may
-/// stray.
+/// Throws SetupError unless the middles of all hexes lie on the computed side of the planes. Nodes are held there, and
+/// hexes that lose their neighbours and get across are removed; particles may stray.
 inline void require_one_side(const HexGrid &hexes, SymmetryPlanes planes, const std::filesystem::path &path) {
   constexpr float tolerance = 1e-3F;
-  for (const Vec3<float> &x : hexes.positions)
+  for (const auto &hex : hexes.hexes) {
+    Vec3<float> x = Vec3<float>::Zero();
+    for (const Index n : hex) x += 0.125F * hexes.positions[static_cast<std::size_t>(n)];
     if ((planes.x && x[0] < -tolerance) || (planes.y && x[1] < -tolerance))
       throw read_error(path, "is not the quarter or half of a model that its symmetry states");
+  }
 }
 
 /// Reads frame `k` of a series. Files of versions that did not write the symmetry need `symmetry`; others need not, and

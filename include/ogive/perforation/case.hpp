@@ -44,6 +44,7 @@ template <class T> struct PerforationCase {
   T friction = T(0); ///< Coulomb, plate on projectile
   Parts parts = Parts::tied;            ///< what holds the parts of the projectile together
   T part_friction = T(0.1);             ///< Coulomb, between parts that touch
+  bool erosion = true;                  ///< hexes of the projectile that are too distorted are removed, unless rigid
   bool rigid_projectile = false;        ///< it moves as one, and does not deform
   Extent extent = Extent::quarter;      ///< how much of the model is computed
   std::vector<PlateBehind<T>> behind{}; ///< more plates, in the order in which the projectile meets them

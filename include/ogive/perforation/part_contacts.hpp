@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/contact/node_to_surface.hpp"
+#include "ogive/fem/erosion.hpp"
 #include "ogive/perforation/case.hpp"
 
 #include <algorithm>
@@ -47,6 +48,18 @@ void add_part_contacts(std::vector<NodeToSurface<T>> &contacts, const Nodes<T> &
     // Hexes at a tip are far smaller than what their contact must bear.
     contact.search_margin = std::max(contact.search_margin, plates.search_margin);
     contacts.push_back(std::move(contact));
+  }
+}
+
+/// Lets hexes of the projectile be removed. Its `parts` are the last bodies of the model, the first of them has the
+/// number `first`; `contacts` are that of the plates and, if parts touch, one for each part.
+template <class T, class Body>
+void allow_erosion(std::vector<NodeToSurface<T>> &contacts, std::vector<Body> &parts, Index first) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    allow_erosion(parts[k]);
+    const Index number = first + static_cast<Index>(k);
+    contacts.front().eroding.push_back(number);
+    if (contacts.size() > 1) contacts[1 + k].eroding.push_back(number);
   }
 }
 

@@ -31,11 +31,32 @@ template <class M> std::size_t main_part(const M &model) {
   return heaviest;
 }
 
-/// The nodes whose motion counts as that of part `k`: its own if parts touch, else those of the whole projectile.
+/// True if a node of the projectile belongs to removed hexes alone: it flies on as a point.
+template <class M> bool is_loose_node(const M &model, Index n) {
+  bool is_loose = false;
+  for (const auto &part : model.bodies.projectile) {
+    if (n < part.nodes.begin || n >= part.nodes.end) continue;
+    const Index own = n - part.nodes.begin;
+    const std::vector<Index> &begin = part.corners_of_nodes.begin;
+    if (begin[own] == begin[own + 1]) continue;
+    if (!is_node_removed(part, own)) return false;
+    is_loose = true;
+  }
+  return is_loose;
+}
+
+/// The nodes whose motion counts as that of part `k`: its own if parts touch, else those of the whole projectile; but
+/// none that flies on as a point, unless all do.
 template <class M> std::vector<Index> nodes_of_part(const M &model, std::size_t k) {
   const NodeRange range = projectile(model, k).nodes;
-  std::vector<Index> list(static_cast<std::size_t>(range.size()));
-  std::iota(list.begin(), list.end(), range.begin);
+  std::vector<Index> list;
+  list.reserve(static_cast<std::size_t>(range.size()));
+  for (Index n = range.begin; n < range.end; ++n)
+    if (!is_loose_node(model, n)) list.push_back(n);
+  if (list.empty()) {
+    list.resize(static_cast<std::size_t>(range.size()));
+    std::iota(list.begin(), list.end(), range.begin);
+  }
   return list;
 }
 

@@ -262,6 +262,8 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
   contact.state.reference_time_step = step_of_contact;
   std::vector<NodeToSurface<T>> contacts{std::move(contact)};
   if (c.parts == Parts::touching && shot.size() > 1) add_part_contacts(contacts, nodes, shot, c.part_friction);
+  if (c.erosion && !c.rigid_projectile)
+    allow_erosion(contacts, shot, static_cast<Index>(particles.size() + hexes.size()));
   std::vector<ParticleContact<T>> particle_contacts;
   if (layers > 1) {
     add_rim_contacts(contacts, nodes, particles, hexes, facets, c.sph_radius);

@@ -77,7 +77,7 @@ template <class Body> void add_name_and_metal(Fingerprint &print, const Body &bo
 /// Adds what a body of hexes is made of.
 template <class T, class Law, class Rule> void add_body(Fingerprint &print, const HexBody<T, Law, Rule> &body) {
   add_name_and_metal(print, body);
-  print.add(body.hexes), print.add(body.points.size());
+  print.add(body.hexes), print.add(body.points.size()), print.add(body.erodes);
   const HexOptions<T> &o = body.options;
   for (const T number :
        {o.hourglass_stiffness, o.hourglass_viscosity, o.linear_bulk_viscosity, o.quadratic_bulk_viscosity})
@@ -103,8 +103,12 @@ void add_body(Fingerprint &print, const SphBody<T, Law, Kernel, Form> &body) {
 /// Adds slaves, masters and options of a contact.
 template <class T> void add_contact(Fingerprint &print, const NodeToSurface<T> &contact) {
   print.add(contact.name), print.add(contact.symmetry), print.add(contact.slaves), print.add(contact.offset);
-  print.add(contact.search_margin), print.add(contact.master_mass), print.add(contact.facets.size());
-  for (const Facet &facet : contact.facets) print.add(facet.nodes);
+  print.add(contact.search_margin), print.add(contact.eroding);
+  // Where hexes may be removed the facets are a part of the state, and follow from the hexes.
+  if (contact.eroding.empty()) {
+    print.add(contact.master_mass), print.add(contact.facets.size());
+    for (const Facet &facet : contact.facets) print.add(facet.nodes);
+  }
   const ContactOptions<T> &o = contact.options;
   print.add(o.friction), print.add(o.stiffness), print.add(o.sticking), print.add(o.rigid_masters),
       print.add(o.reentrant);

@@ -5,6 +5,7 @@
 #include "ogive/core/extremes.hpp"
 #include "ogive/fem/hex_time_step.hpp"
 #include "ogive/sim/energy.hpp"
+#include "ogive/sim/erosion.hpp"
 #include "ogive/sim/guard.hpp"
 #include "ogive/sim/step.hpp"
 
@@ -18,10 +19,11 @@ namespace ogive {
 
 /// When to stop, observe and check.
 template <class T> struct RunOptions {
-  T end_time{};                       ///< s
-  T observe_every = T(0.5e-6);        ///< s between calls of the observer
-  int time_step_every = 10;           ///< steps between two checks of the stable time step, the stable one is that of all bodies
-  int check_every = 20;               ///< steps between two checks of positions, velocities, hexes and contacts
+  T end_time{};                ///< s
+  T observe_every = T(0.5e-6); ///< s between calls of the observer
+  int time_step_every = 10; ///< steps between two checks of the stable time step, the stable one is that of all bodies
+  int check_every = 20;     ///< steps between two checks of positions, velocities, hexes and contacts
+  T eroded_step_fraction = T(0.1);    ///< of the first time step; hexes below it are removed from bodies that erode
   T smallest_step_fraction = T(0.02); ///< of the first time step; below it the run stops
   T largest_energy_error = T(0.05);   ///< of the initial energy; beyond it the run stops
   T domain_ratio = T(10);             ///< size of the domain, see find_astray(); the run stops when a node leaves it
@@ -160,6 +162,8 @@ RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T>
     lap(Phase::checks);
     step(model, state.time_step);
     lap.restart();
+    // Hexes of several points are checked in each step, see below.
+    erode(model, options.eroded_step_fraction * state.first_step, model.steps % options.time_step_every == 0 ? 1 : 2);
     // One of several points can lose its volume and have it back, with any stress, before the next check of all.
     const bool all = model.steps % options.check_every == 0;
     if (auto fault = all ? find_fault(model, options, state) : find_inverted(model, 2)) return stop_at(*fault);
