@@ -10,7 +10,7 @@
 
 namespace ogive {
 
-/// The motion of a projectile, rigid or deformable: of the whole of it, or of main_part() if parts touch.
+/// The motion of a projectile, rigid or deformable: of all its parts, or of main_part() if parts touch.
 template <class T> struct ProjectileMotion {
   T speed{};                           ///< of the centre of mass, m/s
   Vec3<T> direction = Vec3<T>::Zero(); ///< of that motion; zero at rest

@@ -16,7 +16,7 @@
 
 namespace ogive {
 
-/// Throws SetupError unless the parts of the projectile can be held together as the case says.
+/// Throws SetupError unless the parts of the projectile can be held together as the case asks.
 template <class T> void check_parts(const PerforationCase<T> &c) {
   require(std::isfinite(c.part_friction) && c.part_friction >= T(0), "friction between the projectile's parts",
           c.part_friction, "must not be negative");

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// \file
-/// The parts of a projectile in a model, and the one that stands for it where they may come apart.
+/// The parts of a projectile in a model, and the one that represents it where they may come apart.
 
 namespace ogive {
 
@@ -21,7 +21,7 @@ template <class M> bool parts_touch(const M &model) {
   return projectile_nodes(model).size() != projectile(model).nodes.size();
 }
 
-/// Number of the part that stands for the projectile: the heaviest one at the start if parts touch, else the first.
+/// Number of the part that represents the projectile: the heaviest one at the start if parts touch, else the first.
 template <class M> std::size_t main_part(const M &model) {
   std::size_t heaviest = 0;
   if (!parts_touch(model)) return heaviest;
