@@ -112,8 +112,8 @@ TEST_CASE("parts that touch may have nodes of their own, and are cut and mirrore
   }
   // Each part must be one closed body.
   auto body = block();
-  body.part_of[0] = 1;
-  body.part_of[15] = 0;
+  body.part_of.assign(16, 0);
+  body.part_of[0] = body.part_of[15] = 1; // at opposite corners
   CHECK_THAT(refusal([&] { own_projectile(from_file(body), Extent::full, Parts::touching); }),
              Catch::Matchers::Contains("all hexes must be one body, connected by faces"));
 }

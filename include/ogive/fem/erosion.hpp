@@ -5,6 +5,7 @@
 #include "ogive/fem/hex_time_step.hpp"
 #include "ogive/mesh/facets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
