@@ -11,7 +11,7 @@ from pathlib import Path
 from . import fits
 from .data import PAGE, PROGRAMS, ROOT, InputError, build, short
 from .page import make_page
-from .published import take_published
+from .published import keep, take_kept, take_published
 
 CAMPAIGNS = ("steel_blunt", "nose_shapes", "aluminium_conical")
 METHODS = ("paper", "stabilised")
@@ -127,13 +127,16 @@ class Campaign:
 
 def make_figures(quick, page_only, published, method, jobs):
     """All of it. FIGURES, PAGE and PROGRAMS name other folders for the shots, the page and the programs. Programs that fail
-    do not stop the others; the status is then 3."""
+    do not stop the others; the status is then 3. Rows of the default folder are kept in bench/rows/figures."""
     figures = Path(os.environ.get("FIGURES") or ROOT / "vtk_out" / ("figures_quick" if quick else "figures")).resolve()
     page = Path(os.environ.get("PAGE") or (figures / "page" if quick else PAGE)).resolve()
     programs = Path(os.environ.get("PROGRAMS") or PROGRAMS).resolve()
     if not os.environ.get("PROGRAMS"):
         build("ogive_main", *CAMPAIGNS)
     sys.stdout.reconfigure(line_buffering=True)
+    keeps = not quick and not os.environ.get("FIGURES")
+    if keeps:
+        take_kept(figures)
     if published:
         take_published(page, figures)
     campaign = Campaign(figures, programs, 1.5 if quick else 0.6)
@@ -141,6 +144,8 @@ def make_figures(quick, page_only, published, method, jobs):
                *(["--no-pictures"] if published else []), *(["--no-run"] if page_only else ["--jobs", jobs] if jobs else [])]
     for name in CAMPAIGNS:
         campaign.attempt(name, programs / name, *options, stdout=subprocess.DEVNULL if page_only else None)
+    if keeps and not published:
+        keep(figures)
     campaign.fit(page_only)
     campaign.draw(4, [], "--projectiles")
     campaign.draw_model()

@@ -1,10 +1,14 @@
-"""The way back from a page to a campaign: shots_published.csv, where the programs of the figures find the shots that are
-known, with the projectiles' masses and the pictures beside it. Pictures that are there stay. Shots of the paper's method
-that do not lie on its cubic lattice are left out: they are run again."""
+"""What is known of a campaign, where the programs of the figures find it: shots_published.csv from a page, with the projectiles'
+masses and the pictures beside it, and shots_kept.csv, the rows that are kept in bench/rows/figures from one machine to the
+next. Pictures that are there stay. Shots of the paper's method on a page that do not lie on its cubic lattice are left out: they
+are run again. Kept rows must be deleted after a change of the method."""
 
 import shutil
 
-from .data import KEY_COLUMNS, RECORD_COLUMNS, SHOT_COLUMNS, InputError, Row, csv_text, is_on_rings, read_table, write_text
+from .data import (KEY_COLUMNS, PROJECTILE_COLUMNS, RECORD_COLUMNS, ROOT, SHOT_COLUMNS, InputError, Row, csv_text, is_on_rings,
+                   read_projectiles, read_shots, read_table, write_text)
+
+KEPT = ROOT / "bench" / "rows" / "figures"
 
 
 def joined_rows(page):
@@ -29,3 +33,21 @@ def take_published(page, folder):
             shutil.copyfile(picture, folder / picture.name)
     left_out = f", {len(rows) - len(known)} on the ring lattice are left out" if len(known) < len(rows) else ""
     print(f"{folder / 'shots_published.csv'}: {len(known)} shots{left_out}")
+
+
+def take_kept(folder):
+    """Puts the kept rows into the folder of a campaign."""
+    if (KEPT / "shots.csv").exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(KEPT / "shots.csv", folder / "shots_kept.csv")
+        if not (folder / "projectiles.csv").exists():
+            shutil.copyfile(KEPT / "projectiles.csv", folder / "projectiles.csv")
+
+
+def keep(folder):
+    """Keeps the rows of a campaign, with those that are kept, unless some are those of a page."""
+    if list(folder.glob("shots*.csv")) and not (folder / "shots_published.csv").exists():
+        rows = read_shots(folder)
+        KEPT.mkdir(parents=True, exist_ok=True)
+        write_text(KEPT / "shots.csv", csv_text(list(rows[0].text), rows))
+        write_text(KEPT / "projectiles.csv", csv_text(PROJECTILE_COLUMNS, read_projectiles(folder)))

@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 
-from results import cavity, figures, fits, gallery, limits, sweeps, tables, validation  # noqa: E402
+from results import cavity, figures, fits, gallery, limits, published, sweeps, tables, validation  # noqa: E402
 from results.checks import Bound, Result, run_checks  # noqa: E402
 from results.data import Results, Tests, cubic_particles, ended_by_time, read_shots, short  # noqa: E402
 from results.page import from_markdown  # noqa: E402
@@ -360,6 +360,25 @@ class Page(Folders):
         record = page / "run_record.csv"
         record.write_text(record.read_text().splitlines()[0] + "\n")
         self.require_refused(run("published", page, again), "has no row in")
+
+    def test_rows_of_a_campaign_are_kept_and_taken_up_again(self):
+        again = self.folder.parent / "again"
+        with mock.patch.object(published, "KEPT", self.folder.parent / "kept"):
+            published.take_kept(again)
+            self.assertFalse(again.exists())  # nothing is kept yet
+            published.keep(self.folder)
+            published.take_kept(again)
+            found = read_shots(again)
+            self.assertEqual([row.text for row in found], [row.text for row in read_shots(self.folder)])
+            self.assertTrue((again / "projectiles.csv").exists())
+            # One more shot joins those that are kept; rows of a page do not.
+            row = dict(found[0].text, initial_velocity_mps="777")
+            (again / "shots.csv").write_text(",".join(row) + "\n" + ",".join(row.values()) + "\n")
+            published.keep(again)
+            self.assertEqual(len(read_shots(published.KEPT)), len(found) + 1)
+            (again / "shots_published.csv").write_text((again / "shots.csv").read_text().replace("777", "888"))
+            published.keep(again)
+            self.assertEqual(len(read_shots(published.KEPT)), len(found) + 1)
 
 
 class Parts(unittest.TestCase):
