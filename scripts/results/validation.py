@@ -122,7 +122,7 @@ def draw(sweeps, picture=PLOT):
     script = "\n".join([
         "set encoding utf8", "set terminal svg size 900,640 noenhanced font 'Helvetica,Arial,sans-serif,16' background 'white'",
         f"set output '{picture.name}'", *blocks, "set border 3 linecolor '#404040'", "set tics nomirror out",
-        "set grid linecolor '#d8d8d8'", "set key top left reverse Left", "set xlabel 'measured ballistic limit / (m/s)'",
+        "set grid linecolor '#d8d8d8'", "set key bottom right reverse Left", "set xlabel 'measured ballistic limit / (m/s)'",
         "set ylabel 'computed ballistic limit / (m/s)'", "set xrange [100:*]", "set yrange [100:*]",
         "plot x title 'equal' with lines linecolor '#404040', "
         "1.1 * x title '± 10 %' with lines dashtype 2 linecolor '#808080', 0.9 * x notitle with lines dashtype 2 linecolor "
