@@ -45,17 +45,15 @@ T dishing_of(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, s
   return weight > T(0) ? sum / weight : T(0);
 }
 
-/// Petals of a rim whose height (m) above the rear face is given at equal angles around the whole hole. A petal is
-/// between two notches where less than half of the mean height is left; a rim that is lower than `least_height` (m) has
-/// none, and neither has a tube without notches.
-template <class T> int count_petals(const std::vector<T> &height, T least_height) {
+/// Petals of a rim whose mass (kg) is given at equal angles around the whole hole. A petal is between two notches where
+/// less than half of the mean is left; a tube without notches has none.
+template <class T> int count_petals(const std::vector<T> &rim) {
   T mean{};
-  for (const T h : height) mean += h / static_cast<T>(height.size());
-  if (!(mean > least_height)) return 0;
+  for (const T m : rim) mean += m / static_cast<T>(rim.size());
   // Between the two bounds the state of the angle before holds, so that roughness of the rim does not count.
   int state = 0, first = 0, changes = 0;
-  for (const T h : height) {
-    const int here = h > mean ? 1 : h < mean / T(2) ? -1 : state;
+  for (const T m : rim) {
+    const int here = m > mean ? 1 : m < mean / T(2) ? -1 : state;
     if (first == 0) first = here;
     if (state != 0 && here != state) ++changes;
     state = here;
@@ -64,29 +62,27 @@ template <class T> int count_petals(const std::vector<T> &height, T least_height
   return changes / 2;
 }
 
-/// Height of what hangs on a plate above its undeformed rear face (m), by the angle of the undeformed plate about its
-/// axis: of each of the equal angles of the whole circle the greatest. `reach(i)` is the height of particle i, or 0.
-/// Angles are as wide as two particle distances at `radius` (m), so that none is empty.
-template <class M, class T, class Reach>
-std::vector<T> rim_height(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, T spacing, Reach &&reach) {
-  const auto per_quarter =
-      static_cast<std::size_t>(std::max(T(2), std::floor(std::numbers::pi_v<T> / T(4) * radius / spacing)));
-  std::vector<T> height(4 * per_quarter, T(0));
-  const T angle = T(2) * std::numbers::pi_v<T> / static_cast<T>(height.size());
-  const auto raise = [&](T x, T y, T h) {
-    const T turned = std::atan2(y, x) + (y < T(0) ? T(2) * std::numbers::pi_v<T> : T(0));
-    const auto k = std::min(static_cast<std::size_t>(turned / angle), height.size() - 1);
-    height[k] = std::max(height[k], h);
-  };
-  for (std::size_t i = 0; i < undeformed.size(); ++i) {
-    const T h = reach(static_cast<Index>(i));
-    if (!(h > T(0))) continue;
+/// Mass of the particles of a plate by their angle about its axis, kg, for equal angles of the whole circle that are as
+/// wide as two particle distances at `radius` (m). `mass_of(i)` is that of particle i which counts, kg.
+template <class M, class T, class MassOf>
+std::vector<T> mass_by_angle(const M &model, T radius, MassOf &&mass_of, std::size_t layer = 0) {
+  const auto &body = plate_particles(model, layer);
+  const T quarter = std::numbers::pi_v<T> / T(4) * radius / body.spacing;
+  std::vector<T> sums(4 * static_cast<std::size_t>(std::max(T(2), std::floor(quarter))), T(0));
+  const T angle = T(2) * std::numbers::pi_v<T> / static_cast<T>(sums.size());
+  for (Index i = 0; i < body.points.size(); ++i) {
+    const T mass = mass_of(i);
+    if (!(mass > T(0))) continue;
+    const Vec3<T> &p = model.nodes.position[body.nodes.begin + i];
     for (const T x : {T(1), T(-1)})
-      for (const T y : {T(1), T(-1)})
-        if ((x > T(0) || model.symmetry.x) && (y > T(0) || model.symmetry.y))
-          raise(x * undeformed[i][0], y * undeformed[i][1], h);
+      for (const T y : {T(1), T(-1)}) {
+        if ((x < T(0) && !model.symmetry.x) || (y < T(0) && !model.symmetry.y)) continue;
+        const T turned = std::atan2(y * p[1], x * p[0]);
+        const T positive = turned < T(0) ? turned + T(2) * std::numbers::pi_v<T> : turned;
+        sums[std::min(static_cast<std::size_t>(positive / angle), sums.size() - 1)] += mass;
+      }
   }
-  return height;
+  return sums;
 }
 
 /// A plate's shape now, from its particles and their undeformed positions (m), for a projectile of this radius (m) and
@@ -123,8 +119,9 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   shape.dishing = dishing_of(model, undeformed, radius, layer);
   shape.kept_fraction = kept.value();
   for (const T h : reach) shape.petal_height = std::max(shape.petal_height, h);
-  shape.petals =
-      count_petals(rim_height(model, undeformed, radius, spacing, [&](Index i) { return reach[i]; }), T(2) * spacing);
+  // Cracks between petals are seen above half of their height, and where the metal is now.
+  const auto of_rim = [&](Index i) { return reach[i] > shape.petal_height / T(2) ? body.point_mass[i] : T(0); };
+  if (shape.petal_height > T(2) * spacing) shape.petals = count_petals(mass_by_angle(model, radius, of_rim, layer));
   shape.band_temperature = band.value();
   shape.core_temperature = core.value();
   return shape;
