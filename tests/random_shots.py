@@ -5,7 +5,8 @@
 Shoots N random but legal cases for a short time (200 cases of 30 us unless said otherwise) and checks each: no fault, an
 energy error below 1 %, no particle deeper in the projectile than half a particle distance, finite numbers. The same seed
 gives the same cases. Prints a line for each case that is not in order and, last, how many are. Exit status 1 if one is
-not, 2 for wrong options. A case that failed runs again with `ogive shoot --config FOLDER/<number>/case.toml`.
+not, 2 for wrong options. Shots that ended in FOLDER with the same program are not run again. A case that failed runs
+again with `ogive shoot --config FOLDER/<number>/case.toml`.
 
 With --verdicts 400 cases run to their end, over calibres of 1 to 100 mm, plates of 0.05 to 5 calibres, one or several, 50
 to 3000 m/s, obliquities up to 60 degrees and all methods, and its verdict is checked by position and energy: a perforated
@@ -171,8 +172,15 @@ def shoot(number, case, options):
     folder = options.out / f"{number:03d}"
     command = [str(options.program), "shoot", *arguments_of(case), "--threads=1", "--quiet", "--no-vtk", "--no-picture",
                f"--out={folder}", *([] if options.verdicts else [f"--end-us={options.end_us}"])]
-    done = subprocess.run(command, capture_output=True, text=True)
-    found, refused = outcome_of(case, folder, done.returncode, done.stderr,
+    ended, run = folder / "ended.json", [*command, options.program.stat().st_mtime_ns]
+    if ended.is_file() and (record := json.loads(ended.read_text()))["run"] == run:
+        status, output = record["status"], record["output"]
+    else:
+        done = subprocess.run(command, capture_output=True, text=True)
+        status, output = done.returncode, done.stderr
+        if folder.is_dir():
+            ended.write_text(json.dumps({"run": run, "status": status, "output": output}))
+    found, refused = outcome_of(case, folder, status, output,
                                 ENERGY_ERROR_TO_THE_END if options.verdicts else ENERGY_ERROR)
     if options.verdicts and not found and not refused:
         found, refused = wrong_verdict(case, folder)
@@ -194,13 +202,14 @@ def main():
     options.count = options.count or (400 if options.verdicts else 200)
     draw = random.Random(options.seed)
     cases = [random_shot(draw) if options.verdicts else random_case(draw) for _ in range(options.count)]
+    failed = refusals = 0
     with ThreadPoolExecutor(options.jobs) as pool:
-        results = list(pool.map(lambda item: shoot(*item, options), enumerate(cases)))
-    for number, (case, (faults, refused)) in enumerate(zip(cases, results)):
-        for text in filter(None, ["; ".join(faults), refused and f"{'undecided' if options.verdicts else 'refused'}: {refused}"]):
-            print(f"{number:03d}: {text}\n     {' '.join(arguments_of(case))}")
-    failed = sum(bool(faults) for faults, _ in results)
-    refusals = sum(refused is not None and not faults for faults, refused in results)
+        for number, (faults, refused) in enumerate(pool.map(lambda item: shoot(*item, options), enumerate(cases))):
+            failed += bool(faults)
+            refusals += refused is not None and not faults
+            for text in filter(None, ["; ".join(faults),
+                                      refused and f"{'undecided' if options.verdicts else 'refused'}: {refused}"]):
+                print(f"{number:03d}: {text}\n     {' '.join(arguments_of(cases[number]))}", flush=True)
     print(f"{options.count - failed - refusals} of {options.count} random shots in order, {refusals} "
           f"{'undecided' if options.verdicts else 'refused'}, {failed} failed (seed {options.seed}"
           f"{'' if options.verdicts else f', {options.end_us:g} us'})")
