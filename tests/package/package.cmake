@@ -26,6 +26,8 @@ add_package_test("other versions are refused" versions)
 set_tests_properties(
   "package:every header compiles alone" "package:found where it was installed" "package:the same without VTK"
   "package:compiled by Clang" "package:other versions are refused" PROPERTIES FIXTURES_REQUIRED installed)
+# Long ones begin first: at the end nothing else could use the other cores.
+set_tests_properties("package:installs" "package:every header compiles alone" PROPERTIES COST 200)
 add_package_test("a subdirectory" subdirectory)
 add_package_test("compilers that do not fit are refused" compilers)
 if(TARGET ogive_main AND OGIVE_INSTALL)

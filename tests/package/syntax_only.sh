@@ -13,6 +13,28 @@ first_includes=$(find "$include" -name '*.hpp' ! -path '*/io/vtk*' ! -path '*/io
   !begun && !/^(\/\/.*|#pragma once|)$/ { begun = 1; print }' {} +)
 if grep -qxF "$header" <<<"$first_includes"; then exit; fi
 
-"$@" -fsyntax-only
-while [ "$1" != -o ]; do shift; done
-: > "$2"
+arguments=() object=
+while [ $# -gt 1 ]; do
+  case "$1" in
+  -o) object=$2 && shift ;;
+  -MF | -MT) shift ;;
+  -c | -MD) ;;
+  *) arguments+=("$1") ;;
+  esac
+  shift
+done
+
+# Reading Eigen takes most of the time: headers that include it have it from a precompiled header.
+before=()
+if "${arguments[@]}" -M "$1" | grep -q /Eigen/Core; then
+  {
+    flock 9
+    if ! [ -e eigen.hpp.gch ]; then
+      echo '#include <Eigen/Dense>' >eigen.hpp
+      "${arguments[@]}" -c -x c++-header eigen.hpp -o eigen.hpp.gch
+    fi
+  } 9>eigen.lock
+  before=(-include eigen.hpp)
+fi
+"${arguments[@]}" "${before[@]}" -fsyntax-only "$1"
+: >"$object"
