@@ -5,7 +5,7 @@
 
 #include "fuzz/memory_file.hpp"
 #include "fuzz/must.hpp"
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 
 namespace {
 
@@ -20,7 +20,7 @@ shot::Options read(fuzz::MemoryFile &file, std::string_view text) {
 } // namespace
 
 /// A case file; one that is read is written and read again.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_case_file(std::string_view bytes) {
   static MemoryFile file;
   shot::Options options;
   try {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/memory_file.hpp"
 #include "fuzz/struck_brick.hpp"
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 #include "shot/saved_case.hpp"
 
 /// A checkpoint file as it is: almost all damage ends at its checksums.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_checkpoint_file(std::string_view bytes) {
   static MemoryFile file;
   static const auto reference = struck_brick();
   file.write(bytes);

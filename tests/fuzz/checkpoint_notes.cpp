@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/memory_file.hpp"
 #include "fuzz/sound_checkpoint.hpp"
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 #include "options/toml_file.hpp"
 #include "shot/plates.hpp"
 #include "shot/resume.hpp"
@@ -9,7 +9,7 @@
 #include "shot/table.hpp"
 
 /// The notes of a checkpoint, from which a run that resumes has its case and its metal.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_checkpoint_notes(std::string_view bytes) {
   static MemoryFile file;
   file.write(sound_checkpoint(bytes, ""));
   try {

@@ -3,7 +3,7 @@
 #include "fuzz/must.hpp"
 #include "fuzz/sound_checkpoint.hpp"
 #include "fuzz/struck_brick.hpp"
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 
 #include <algorithm>
 #include <string>
@@ -50,7 +50,7 @@ std::string edited(std::string state, std::string_view edits) {
 
 /// A checkpoint with a state that was edited and checksums that fit it: only the reader of the state can refuse it. One
 /// that is taken is stepped on.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_checkpoint_state(std::string_view bytes) {
   static MemoryFile file;
   static const auto reference = struck_brick();
   static const std::string good = good_state();

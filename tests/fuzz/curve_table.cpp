@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ogive/fit/curve_table.hpp"
 
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 
 /// A table of test curves, true and engineering ones, up to what a fit takes.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_curve_table(std::string_view bytes) {
   for (const bool engineering : {false, true}) try {
       std::vector<std::string> messages;
       const ogive::CurveTableFormat format{engineering, 200e9, 1800};

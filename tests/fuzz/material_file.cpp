@@ -2,14 +2,14 @@
 #include "materials/material_file.hpp"
 
 #include "fuzz/must.hpp"
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 
 #include "ogive/core/error.hpp"
 
 #include <string>
 
 /// A material file; one that is read is written and read again.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_material_file(std::string_view bytes) {
   std::string text;
   try {
     text = materials::to_toml(materials::parse(bytes, "material.toml"), "");

@@ -3,10 +3,10 @@
 #include "ogive/mesh_io/read_ls_dyna.hpp"
 
 #include "fuzz/must.hpp"
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 
 /// A mesh of a projectile; one that is taken is a body with a volume, its tip at zero.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_mesh_k(std::string_view bytes) {
   for (const ogive::Extent extent : {ogive::Extent::quarter, ogive::Extent::full}) {
     ogive::OwnProjectile own;
     try {

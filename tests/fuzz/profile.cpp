@@ -2,10 +2,10 @@
 #include "ogive/io/read_profile.hpp"
 
 #include "fuzz/must.hpp"
-#include "fuzz/target.hpp"
+#include "fuzz/targets.hpp"
 
 /// A profile of a projectile; one that is read is a body.
-void fuzz::try_input(std::string_view bytes) {
+void fuzz::try_profile(std::string_view bytes) {
   ogive::Profile<double> profile;
   try {
     profile = ogive::read_profile(bytes, "nose.csv");
