@@ -38,3 +38,12 @@ function(ogive_program target)
   target_link_libraries(${target} PRIVATE ogive_flags ogive::ogive ${arg_LIBRARIES})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
 endfunction()
+
+# ogive_share_compilation(<target>) compiles several files of a target as one: most of a compilation is spent on headers and
+# on templates that they share. Not where clang-tidy needs the commands of single files, or warnings are to name the file
+# that they are of.
+function(ogive_share_compilation target)
+  if(NOT CMAKE_EXPORT_COMPILE_COMMANDS AND NOT OGIVE_WARNINGS_AS_ERRORS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
+endfunction()

@@ -8,8 +8,6 @@ using fem_test::Noise;
 
 namespace {
 
-constexpr double spacing = Joint::spacing;
-
 const auto gradient = (Mat3<double>() << 300, -200, 500, 70, 110, -400, 250, 60, -80).finished();
 
 } // namespace
@@ -86,9 +84,9 @@ TEST_CASE("a linear velocity field passes the tie", "[contact]") {
 
 TEST_CASE("ties that cannot hold are refused", "[contact]") {
   Joint j;
-  CHECK_THROWS_WITH(make_tie(j.nodes, j.particles.nodes, j.face, j.hexes.hexes, 0.01 * spacing),
+  CHECK_THROWS_WITH(make_tie(j.nodes, j.particles.nodes, j.face, j.hexes.hexes, 0.01 * Joint::spacing),
                     Catch::Contains("no slave node lies that near"));
   // Extrapolated six particles far, the nodes behind the face would get a negative mass.
-  CHECK_THROWS_WITH(make_tie(j.nodes, j.particles.nodes, j.face, j.hexes.hexes, 20 * spacing),
+  CHECK_THROWS_WITH(make_tie(j.nodes, j.particles.nodes, j.face, j.hexes.hexes, 20 * Joint::spacing),
                     Catch::Contains("more than half of its mass"));
 }

@@ -32,7 +32,7 @@ Mat3<double> shearing(double rate) {
 }
 
 /// That of the same flow without rotation.
-Mat3<double> stretching(double rate) {
+Mat3<double> plane_stretching(double rate) {
   Mat3<double> L = Mat3<double>::Zero();
   L(0, 0) = std::sqrt(0.75) * rate, L(1, 1) = -L(0, 0);
   return L;
@@ -95,7 +95,7 @@ TEST_CASE("a band is as wide as heat spreads in its age", "[material]") {
 TEST_CASE("simple shear is told from flow without rotation", "[material]") {
   CHECK(share_of(shearing(1e4)) == Approx(1));
   CHECK(share_of(shearing(-3)) == Approx(1));
-  CHECK(share_of(stretching(1e4)) == 0);
+  CHECK(share_of(plane_stretching(1e4)) == 0);
   // Half of each: |W| is half of what it is in simple shear at the rate of both, along axes that do not mix, root 2.
   Mat3<double> L = shearing(1e4);
   L(2, 2) = L(0, 1) / std::sqrt(3.0), L(0, 0) = L(1, 1) = -0.5 * L(2, 2);
@@ -131,8 +131,7 @@ TEST_CASE("a band heats as a plane with an even flux does, and cools as its heat
   const double strain = p.plastic_strain, hottest_age = p.band_age;
   while (p.band_age < 4 * hottest_age) p = updated(metal, p, shearing(0), dt);
   CHECK(p.plastic_strain == Approx(strain).epsilon(1e-6));
-  CHECK(p.temperature - mean ==
-        Approx(heating * hottest_age * (spacing / width_at(p.band_age) - 1)).epsilon(1e-3));
+  CHECK(p.temperature - mean == Approx(heating * hottest_age * (spacing / width_at(p.band_age) - 1)).epsilon(1e-3));
 }
 
 TEST_CASE("a band loses strength that an even particle keeps", "[material]") {
@@ -166,8 +165,8 @@ TEST_CASE("no band forms in flow without rotation", "[material]") {
   auto even = linear_steel();
   auto p = initial_point(metal), q = p;
   for (int i = 0; i < 6000; ++i) {
-    p = updated(metal, p, stretching(1e5), 1e-9);
-    q = updated(even, q, stretching(1e5), 1e-9);
+    p = updated(metal, p, plane_stretching(1e5), 1e-9);
+    q = updated(even, q, plane_stretching(1e5), 1e-9);
   }
   CHECK(p.plastic_strain > 2 * metal.shear_band.onset);
   CHECK(p.shear_strain == 0);

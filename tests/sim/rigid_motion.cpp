@@ -6,12 +6,10 @@ using namespace sim_test;
 
 namespace {
 
-constexpr double spacing = 1e-3;
-
 auto block_and_brick() {
   Nodes<double> nodes;
   auto particles =
-      add_sph_body(nodes, lattice(5, 4, 4, spacing, V(-2.5e-3, -2e-3, 0)), fem_test::steel<double>(), "particles");
+      add_sph_body(nodes, lattice(5, 4, 4, 1e-3, V(-2.5e-3, -2e-3, 0)), fem_test::steel<double>(), "particles");
   auto hexes = add_hex_body(nodes, brick_at(4, 3, 3, V(4e-3, 3e-3, 3e-3), V(-2e-3, -1.5e-3, 6e-3)),
                             fem_test::steel<double>(), "hexes");
   return model_of(std::move(nodes), std::move(particles), std::move(hexes));
