@@ -35,7 +35,7 @@ std::vector<Option> options_of(std::string_view text) {
   return all;
 }
 
-/// Its value of a parameter; empty if it has none.
+/// Value of a parameter of a keyword line; empty if the line lacks it.
 std::string parameter(const Option &option, const std::string &name) {
   for (const std::string &p : option.parameters)
     if (p.starts_with(name + "=")) return p.substr(name.size() + 1);

@@ -38,8 +38,8 @@ struct Card {
   std::vector<Number> damage{};            ///< D1 to D5; empty: no damage
   std::optional<Number> damage_reference_rate{};
   bool negates_D3 = false;            ///< the exponent of the failure strain is -d3 times the triaxiality
-  std::vector<std::string> notes{};   ///< what was taken for granted
-  std::vector<std::string> dropped{}; ///< what has no place in a material file
+  std::vector<std::string> notes{};   ///< assumptions about the card
+  std::vector<std::string> dropped{}; ///< data without a place in a material file
 };
 
 /// The material in the lines of a file. All throw SetupError with the line and what is wrong there. `file` is its name

@@ -20,10 +20,10 @@ std::vector<Line> lines_of(std::string_view text, std::string_view comment);
 /// Throws the error of a line.
 [[noreturn]] void refuse_line(const std::string &file, std::size_t line, const std::string &what);
 
-/// Without blanks at both ends.
+/// A text without blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// In capitals, without blanks.
+/// A text in capitals, without blanks.
 std::string squeezed(std::string_view text);
 
 /// A field as a number, in any way that Fortran takes: 1.5d3, 7.85-9. Nothing if it is empty.

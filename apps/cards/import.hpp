@@ -16,7 +16,7 @@ namespace cards {
 struct Imported {
   materials::AnyMetal metal;
   std::vector<std::string> notes;   ///< units, signs and what was taken for granted, a line for each
-  std::vector<std::string> dropped; ///< what the card has and a material file has not
+  std::vector<std::string> dropped; ///< data of the card without a place in a material file
 };
 
 /// The metal on a card. Without `units` they are those that the card states, or those in which its density is that of a

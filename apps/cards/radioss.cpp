@@ -40,7 +40,7 @@ std::optional<Units> units_in(const Block &block) {
   return {};
 }
 
-/// What a line of a block holds: real numbers in 20 columns, whole ones in 10.
+/// Contents of a line of a block: real numbers in 20 columns, whole ones in 10.
 struct Row {
   std::vector<std::string> names;
   std::vector<std::size_t> widths;

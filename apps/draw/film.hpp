@@ -20,19 +20,19 @@ namespace draw {
 /// The endings of films.
 inline constexpr std::array film_endings{"mp4", "webm", "gif", "apng"};
 
-/// What the name of a film must be, for errors.
+/// Allowed names of a film, for errors; completes "must be".
 inline constexpr char film_names[] = "the name of a .mp4, .webm, .gif or .apng file";
 
-/// Whether the name of a file has one of the endings.
+/// True if the name of a file has one of the endings.
 bool is_film(const std::filesystem::path &path);
 
-/// Whether ffmpeg can be run.
+/// True if ffmpeg can be run.
 bool ffmpeg_available();
 
-/// What a film shows of a series.
+/// View, symmetry and speed of a film.
 struct Film {
   SectionPanel panel{.width = 1000, .height = 1000, .font_size = 26, .compression = 1}; ///< of a single cell
-  Seen from = Seen::section;                                                            ///< where it is seen from
+  Seen from = Seen::section;                                                            ///< direction of view
   bool fits = true;                                ///< down to the lowest part of all frames, whatever the panel
   std::optional<ogive::SymmetryPlanes> symmetry{}; ///< of files that do not hold it
   int most_frames = 50;                            ///< of a longer series some are left out, at even distances

@@ -102,7 +102,7 @@ Box in_page_units(const Page &page, const Box &box) {
   return {box.x / page.width, box.y / page.height, box.width / page.width, box.height / page.height};
 }
 
-/// What the window shows: red, green and blue of each pixel.
+/// Contents of the window: red, green and blue of each pixel.
 vtkSmartPointer<vtkImageData> pixels(vtkRenderWindow *window, int levels) {
   window->Render();
   vtkNew<vtkWindowToImageFilter> capture;

@@ -28,8 +28,8 @@ inline Box narrowed(const Box &box, double share) {
 /// The ink of text and bars.
 inline constexpr std::array page_ink{0.1, 0.1, 0.1};
 
-/// A picture in the making. VTK's fonts and OpenGL are not for several threads: while one thread has a page, another
-/// that begins one waits.
+/// A picture that is being drawn. VTK's fonts and OpenGL are not for several threads: while one thread has a page,
+/// another that begins one waits.
 struct Page {
   int width = 0, height = 0;                        ///< pixels
   vtkSmartPointer<vtkRenderer> ground, ink;         ///< below the scenes, and above them

@@ -11,7 +11,7 @@
 
 namespace draw {
 
-/// Whether gnuplot can be run.
+/// True if gnuplot can be run.
 bool gnuplot_available();
 
 /// `text` as a literal string of gnuplot. Throws ogive::SetupError if it holds a line end or a NUL.

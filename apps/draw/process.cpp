@@ -31,7 +31,7 @@ int await(pid_t child, double seconds) {
   return killed ? out_of_time : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// What a child does: draws, and writes why it cannot.
+/// Runs in the child: draws, and writes the error into the pipe `answers` if drawing fails.
 [[noreturn]] void draw_and_exit(int answers, const std::function<void()> &draw) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   int status = 0;

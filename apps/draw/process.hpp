@@ -20,7 +20,7 @@ inline constexpr int out_of_time = 124;
 /// Runs a program that is found in PATH, without a shell and silently, for at most `seconds`. Returns its exit status.
 int run_program(std::string program, std::vector<std::string> arguments, double seconds);
 
-/// Why a program failed, by the status of run_program(): "NAME is not installed or not in PATH (Debian: PACKAGE)",
+/// Description of a failure, by the status of run_program(): "NAME is not installed or not in PATH (Debian: PACKAGE)",
 /// "NAME takes more than ... s", or its exit status.
 std::string failure_of(const std::string &program, const std::string &package, int status, double seconds);
 

@@ -23,7 +23,7 @@ inline constexpr char projectile_name[] = "projectile";
 /// Whether a part of a frame is the projectile or one of its parts.
 inline bool is_of_projectile(const std::string &part) { return part.starts_with(projectile_name); }
 
-/// How the parts of a section are drawn.
+/// Colours, grey parts, mesh and spheres of a section.
 struct SectionStyle {
   std::string field = "plastic_strain";                 ///< a scalar field of particles and cells that gives the colour
   double smallest = 0;                                  ///< value of the first colour
@@ -50,14 +50,14 @@ vtkSmartPointer<vtkActor> section_actor(const ogive::HexGrid &hexes, ogive::Symm
 /// An empty scene: white, with one light that moves with the camera.
 vtkSmartPointer<vtkRenderer> white_scene();
 
-/// Where a picture is seen from, in parallel projection.
+/// Directions of view, in parallel projection.
 enum class Seen {
   section, ///< the half behind the plane y = 0, seen along y with z upwards
   oblique, ///< the same half from the front, the left and above
   behind   ///< all of the plate from behind, along z, without the projectile, which would hide hole and petals
 };
 
-/// What a picture shows. The rear view has the axis z in its middle instead.
+/// Visible part of a scene, mm, and the direction of view. The rear view is centred on the axis z instead.
 struct SectionView {
   double centre_x_mm = 0;     ///< in the middle of the view
   double centre_z_mm = -8;    ///< in the middle of the view; the plate's front face is z = 0

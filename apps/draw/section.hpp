@@ -12,12 +12,12 @@ namespace draw {
 
 /// One section of a panel, or another view.
 struct PanelCell {
-  ogive::Frame frame; ///< what is cut
+  ogive::Frame frame; ///< that is cut
   std::string label;  ///< one line below the section
   Seen from = Seen::section;
 };
 
-/// What a panel shows of each section, and how large.
+/// Contents, visible box (mm) and size (pixels) of a panel.
 struct SectionPanel {
   SectionStyle style{.mesh_edges = false, .particle_ambient = 0.7}; ///< colours and what is grey
   std::string title{};                                              ///< one line above the panel; none if empty
@@ -33,7 +33,7 @@ struct SectionPanel {
   int compression = 9;      ///< of the PNG, 1 to 9
 };
 
-/// The places of what a panel shows.
+/// The boxes of a panel's sections, texts and scales, in pixels.
 struct PanelLayout {
   int width = 0, height = 0; ///< of the page, pixels
   int font_size = 0;         ///< of all text
@@ -58,7 +58,7 @@ PanelLayout panel_layout(std::size_t cells, const SectionPanel &panel);
 void render_panel(const std::vector<PanelCell> &cells, const std::filesystem::path &path,
                   const SectionPanel &panel = {});
 
-/// Whether the plate is seen from behind, too.
+/// Choice of a second view, of the plate from behind.
 enum class Rear { left_out, shown };
 
 /// Draws the section of a run's last frame by plastic strain, with the mesh, from 22 mm in front of the plate down to

@@ -20,7 +20,7 @@ ogive::JohnsonCookFactors<double> factors_of(const ogive::PowerLaw<double> &law)
 ogive::JohnsonCookFactors<double> factors_of(const ogive::ModifiedJohnsonCook<double> &law) {
   return {law.C, law.b, 1, ogive::RateFactor::power};
 }
-/// It has none; metal_of() refuses it.
+/// Empty: bilinear hardening has no such factors, and metal_of() refuses it.
 ogive::JohnsonCookFactors<double> factors_of(const ogive::Bilinear<double> &) { return {}; }
 
 /// All of a metal but its flow law and damage.

@@ -55,7 +55,7 @@ template <class M> Misfits find_misfits(const M &metal, const std::vector<Given>
   return misfits;
 }
 
-/// What two lists have in common, in the order of the first.
+/// The entries that two lists have in common, in the order of the first.
 std::vector<std::string> common(std::vector<std::string> a, const std::vector<std::string> &b) {
   const std::unordered_set<std::string> in_b(b.begin(), b.end());
   std::erase_if(a, [&](const std::string &name) { return !in_b.contains(name); });

@@ -30,22 +30,22 @@ using AnyMetal =
 /// the file cannot be read or is larger than 1 MiB.
 AnyMetal read(const std::filesystem::path &file, const std::string &what = "material");
 
-/// The same from text; `file` is its name in errors.
+/// The metal in the text of a file, as read(); `file` is its name in errors. Throws SetupError.
 AnyMetal parse(std::string_view text, const std::string &file);
 
 /// A file that reads back as the same metal, to the last bit, with a comment (of any number of lines) on top. Damage
 /// and equation of state are written as constants, not what is chosen of them.
 std::string to_toml(const AnyMetal &metal, const std::string &comment);
 
-/// What is doubtful about its flow stress, and about its constants of damage if it has them, see
+/// Warnings about the flow stress of a metal, and about its constants of damage if it has them, see
 /// ogive::doubts_of_flow() and ogive::doubts_of(): a line for each, with the metal's name.
 std::vector<std::string> doubts_of_flow(const AnyMetal &metal);
 std::vector<std::string> doubts_of_damage(const AnyMetal &metal);
 
-/// Its flow law.
+/// The flow law of a metal.
 Model model_of(const AnyMetal &metal);
 
-/// Its name in a file.
+/// The name of a flow law in a file and on the command line.
 std::string name_of(Model model);
 
 /// The name of the metal.

@@ -22,7 +22,7 @@ const char *const exit_statuses =
 
 namespace {
 
-/// What `ogive shoot` has besides the options of a case.
+/// Options of `ogive shoot` besides those of the case.
 struct General {
   std::optional<std::string> restart;
   bool resume = false;

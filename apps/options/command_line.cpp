@@ -12,7 +12,7 @@ namespace options {
 
 namespace {
 
-/// Where the texts of a help begin, and the width that they fit.
+/// Column in which the texts of a help begin, and width of the help.
 constexpr std::size_t text_column = 34, width = 100;
 
 /// Group of what every program has; programs may add to it.

@@ -39,7 +39,8 @@ struct CommandLine {
 std::optional<CommandLine> read_command_line(const Command &command, const Table &table, const Arguments &arguments,
                                              std::ostream &text);
 
-/// The same, and sets the values of the table.
+/// Reads a command line as read_command_line() and sets the values of the table. Throws SetupError also for values that
+/// the table refuses.
 std::optional<CommandLine> read_values(const Command &command, const Table &table, const Arguments &arguments,
                                        std::ostream &text);
 

@@ -6,7 +6,7 @@
 
 namespace options {
 
-/// What all programs end with: done, an error that nobody foresaw, wrong input, a file that cannot be written or
+/// Exit statuses of all programs: done, an error that nobody foresaw, wrong input, a file that cannot be written or
 /// another end before all is done.
 enum ExitStatus { success = 0, failure = 1, bad_input = 2, not_finished = 3 };
 

@@ -8,18 +8,18 @@
 #include <algorithm>
 
 /// \file
-/// What a user gives, on the command line or in a file: numbers as text, limits, and one-line errors.
+/// Values given on the command line or in a file: conversion to numbers and choices, limits, and one-line errors.
 
 namespace options {
 
-/// What a number may be.
+/// Smallest and largest value of a number, in `unit`.
 struct Limits {
   double low = 0;
   double high = 0;
   const char *unit = "";
 };
 
-/// What the user gave for one option or key.
+/// The value given for one option or key, and its origin.
 struct Given {
   enum Kind { untyped, number, integer, boolean, text, list, other };
   std::string key;

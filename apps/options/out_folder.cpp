@@ -23,7 +23,7 @@ std::vector<fs::path> missing_folders(const fs::path &path) {
   return missing;
 }
 
-/// Why nothing can be written to the folder; empty if it can.
+/// The error that keeps `bytes` from being written to the folder; empty if there is room and permission.
 std::string obstacle(const fs::path &out, double bytes, const char *hint) {
   const fs::path probe = ogive::temporary_name(out / ".probe");
   const int error = ogive::write_and_sync(probe, std::string(4096, ' '));

@@ -11,10 +11,10 @@
 
 namespace options {
 
-/// How many values follow a flag: `none` is --flag, --no-flag or --flag=true.
+/// Number of values that follow a flag: `none` is --flag, --no-flag or --flag=true.
 enum class Values { none, one, several };
 
-/// What a value is.
+/// Types of values.
 enum class Kind { number, whole, truth, choice, text, file, numbers, texts, other };
 
 /// The texts about one option. The flag is `key` with hyphens and two in front.
@@ -48,7 +48,7 @@ struct Table {
   std::string group{}; ///< of those added next
 };
 
-/// Where each value comes from: the flag, or file, line and key.
+/// Origin of each value by its key: the flag, or file, line and key.
 using Origins = std::map<std::string, std::string>;
 
 /// The flag of a key: thickness_mm is --thickness-mm.
@@ -57,7 +57,7 @@ std::string flag_of(std::string_view key);
 /// The flag that turns an option without a value off: vtk is --no-vtk.
 std::string no_flag_of(std::string_view key);
 
-/// Where the value of a key comes from; its flag if nobody gave one.
+/// Origin of the value of a key; its flag if the value was not given.
 std::string origin_of(const Origins &origins, const std::string &key);
 
 /// Adds an option of `kind`; the caller sets what depends on the type.

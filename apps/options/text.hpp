@@ -43,7 +43,7 @@ std::string shortest(double number, int power);
 /// A number from all of `text`, times 10^power, without rounding in between.
 std::optional<double> number_from(std::string_view text, int power);
 
-/// All of a file; nothing unless it is a regular one that can be read.
+/// Contents of a regular file; nothing if it cannot be read.
 std::optional<std::string> text_in(const std::filesystem::path &file);
 
 /// The known name that a mistyped one is nearest to: fewest letters changed, added, dropped or swapped with a

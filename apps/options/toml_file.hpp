@@ -8,7 +8,7 @@
 
 namespace options {
 
-/// All of a file of at most so many MiB; a device such as /dev/zero has no end. Throws SetupError
+/// Contents of a file of at most `most_mebibytes` MiB; a device such as /dev/zero has no end. Throws SetupError
 /// "<what> = <name>: must be a <kind> file ...".
 std::string text_of_file(const std::filesystem::path &name, const std::string &what, const std::string &kind = "TOML",
                          std::size_t most_mebibytes = 1);

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// \file
-/// What a run has found and written so far, besides its model: with that, all that it needs to resume.
+/// Findings and files of a run so far. Together with the model they suffice to resume it.
 
 namespace shot {
 
@@ -21,7 +21,7 @@ struct FrameFile {
   std::string file;
 };
 
-/// What a run has written, and what its numbers are compared with.
+/// Files of a run so far, and reference values of its energy and momentum.
 struct Course {
   double first_energy = 0;   ///< J
   double first_momentum = 0; ///< N s

@@ -7,8 +7,8 @@
 
 namespace shot {
 
-/// Takes what follows from method, nose and material where no value was given: damage and its parameters, bonds,
-/// failure, friction, end of the run.
+/// Sets the values that were not given, by method, nose and material: damage and its parameters, bonds, failure,
+/// friction, end of the run.
 void take_defaults(Options &options, const options::Origins &given);
 
 /// The default of --damage: that of the method, none where a metal has no failure strain.

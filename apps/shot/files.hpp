@@ -34,7 +34,7 @@ Files open_files(const Options &options, const Course &course);
 /// Writes a frame and notes its files in the course. Throws WriteError.
 void add_frame(Files &files, Course &course, const ogive::Frame &frame);
 
-/// Puts a shot and its course where they were in the notes of a checkpoint. Throws SetupError if they are damaged.
+/// Restores a shot and its course from the notes of a checkpoint. Throws SetupError if they are damaged.
 void read_notes(const ogive::Checkpoint &checkpoint, Result &shot, Course &course);
 
 /// The notes of a checkpoint at `time_us`.

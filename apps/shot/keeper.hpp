@@ -7,7 +7,7 @@
 
 namespace shot {
 
-/// When the next checkpoint is due.
+/// Schedule of the checkpoints.
 struct Keeper {
   double every_us = 0;   ///< 0: by wall time
   double next_us = 0;    ///< simulated time

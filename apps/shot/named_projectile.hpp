@@ -28,8 +28,8 @@ std::string allowed_projectiles();
 /// The value of `projectile` that was given: a name of the library, a file, "deformable" or "rigid". Throws SetupError.
 std::string projectile_given(const options::Given &given);
 
-/// What a named projectile, or the file, gives of the options; names of files in it count from its folder. `folder` is
-/// the one that the name of the file counts from. Throws SetupError.
+/// Options that a projectile of the library, or a file, gives; names of files in it are relative to its folder. The
+/// name of the file itself is relative to `folder`. Throws SetupError.
 Level level_of_projectile(const options::Given &given, const std::filesystem::path &folder);
 
 /// Copies all options that describe the projectile itself.

@@ -13,7 +13,7 @@
 #include "own_mesh.hpp"
 
 /// \file
-/// What a user can choose for a shot, from the command line, a TOML file or a row of a list of cases.
+/// The options of a shot, from the command line, a TOML file or a row of a list of cases.
 
 namespace shot {
 
@@ -33,7 +33,7 @@ enum class SphKernel { cubic_spline, wendland_c2 };
 enum class Smoothing { constant, variable };
 enum class ElementRule { one_point, selective_reduced };
 
-/// What a run that resumes from a checkpoint has from there, besides the options of its case.
+/// Data of a checkpoint that a run resumes from, besides the options of its case.
 struct Restart {
   std::filesystem::path file;
   std::string metal_toml; ///< the metal of the plate, or those of the plates
@@ -75,9 +75,9 @@ struct Options {
   std::vector<double> profile_mm; ///< z and r of the points of a profile in turn; empty: no profile
   std::string projectile_mesh;    ///< a file of a mesh; empty: none
   MeshUnit mesh_unit = MeshUnit::mm;
-  OwnMesh own_mesh;                      ///< what settled() or a checkpoint has read of that file
+  OwnMesh own_mesh;                      ///< contents of that file, as settled() or a checkpoint has read them
   std::vector<std::string> part_metals;  ///< "PART=METAL"; empty: projectile_metal for all
-  Parts parts = Parts::tied;             ///< what holds the parts of the projectile together
+  Parts parts = Parts::tied;             ///< connection of the projectile's parts
   double part_friction = 0.1;            ///< Coulomb, between parts that touch
   bool projectile_erosion = true;        ///< its hexes that are too distorted are removed
   double bore_radius_mm = 0;             ///< of a bore from the rear; 0: none
@@ -124,28 +124,28 @@ struct Options {
 /// Name of the checkpoint in the folder of the results.
 inline constexpr char checkpoint_name[] = "checkpoint.bin";
 
-/// Name that it gets when another run begins in the folder.
+/// Name of the checkpoint of an earlier run after another one has begun in the folder.
 inline constexpr char earlier_checkpoint_name[] = "checkpoint_before.bin";
 
 /// Wall time between two checkpoints of a run that has no interval for them.
 inline constexpr double checkpoint_minutes = 15;
 
-/// Highest initial velocity that a run may have, m/s: the equation of state is one for less.
+/// Highest initial velocity of a run, m/s: the equation of state holds below it.
 inline constexpr double largest_velocity_mps = 3000;
 
-/// Above it a run warns that a deformable projectile may stop it, m/s.
+/// Initial velocity above which a run warns that a deformable projectile may stop it, m/s.
 inline constexpr double fastest_deformable_mps = 1500;
 
 /// Largest number of an arrangement of the particles.
 inline constexpr int largest_seed = 1000000;
 
-/// Longest time that a run may have, us.
+/// Longest time of a run, us.
 inline constexpr double longest_us = 100000;
 
-/// Most particles that a run may have.
+/// Largest number of particles of a run.
 inline constexpr double most_particles = 50e6;
 
-/// What was given for a case by one source: a file, a command line, a row of a list.
+/// Options of a case from one source: a file, a command line, a row of a list.
 struct Level {
   std::vector<options::Given> given;
   std::filesystem::path folder{}; ///< that names of material files count from; empty: the current one
@@ -159,13 +159,13 @@ std::vector<Level> levels_of(const options::CommandLine &line);
 /// the option (of a file its line), the value and what is allowed.
 Options settled(const std::vector<Level> &levels);
 
-/// Checks what belongs together. Throws SetupError.
+/// Checks the options that depend on each other. Throws SetupError.
 void check(const Options &options, const options::Origins &origins);
 
 /// A TOML file that parse() reads back as the same options.
 std::string to_toml(const Options &options);
 
-/// The same without what a reader of the file should choose anew, with every value of the case.
+/// Every value of the case as TOML, defaults included, without the options that the reader of a checkpoint gives anew.
 std::string to_complete_toml(const Options &options);
 
 /// Number of particles that a case will have, up to the edge of the disc.

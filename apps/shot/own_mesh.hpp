@@ -18,7 +18,7 @@ enum class MeshUnit { mm, cm, m, inch };
 /// A unit in m.
 double metres(MeshUnit unit);
 
-/// What was read of a file.
+/// Contents of a mesh file.
 struct MeshOfFile {
   std::string bytes;               ///< of the file, to be copied
   ogive::FileMesh mesh;            ///< of the file, before it is cut or moved

@@ -42,8 +42,8 @@ Plates plates_of(const Options &options);
 /// The metals of the projectile's parts, without damage. Throws SetupError.
 Plates projectile_metals_of(const Options &options);
 
-/// What is doubtful about a case, a line for each: the flow stress, bands of shear and constants of damage of its metals,
-/// its velocity, and what lies outside of the tested range.
+/// Warnings about a case, a line for each: the flow stress, bands of shear and constants of damage of its metals, its
+/// velocity, and options outside of the tested range.
 std::vector<std::string> doubts_of(const Options &options, const Plates &plates);
 
 /// The metals of the plates as text for checkpoints: of one as its file has it, or one behind the other; and those of

@@ -32,13 +32,13 @@ ogive::ProjectileShape<double> shape_of(const Options &options);
 /// True if the projectile is the one of the tests and strikes as there.
 bool is_of_the_tests(const Options &options);
 
-/// Whether it pushes a plug out, see ogive::is_sharp().
+/// True if the projectile pushes a plug out, see ogive::is_sharp().
 bool is_blunt(const Options &options);
 
 /// Takes the nose that a profile gives, or reads a mesh. Throws SetupError.
 void settle_nose(Options &options, const options::Origins &origins);
 
-/// Takes what is not given of the lengths from the paper's projectile, and the length of an ogive from its radius.
+/// Takes the lengths that are not given from the paper's projectile, and the length of an ogive from its radius.
 /// Throws SetupError.
 void settle_projectile(Options &options, const options::Origins &origins);
 

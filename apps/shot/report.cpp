@@ -67,7 +67,7 @@ std::string shares(const Result &s) {
   return text;
 }
 
-/// Why the run ended.
+/// Reason for the end of the run.
 const char *ending(const Result &s) {
   if (s.fault) return "fault";
   switch (s.flight.state) {
@@ -80,7 +80,7 @@ const char *ending(const Result &s) {
   }
 }
 
-/// Why a shot is undecided, one line; empty if it is not.
+/// Reason why a shot is undecided, one line; empty if it is decided.
 std::string undecided_reason(const Result &s) {
   if (verdict(s) != Verdict::undecided) return "";
   if (s.fault) return "a fault stopped the run";

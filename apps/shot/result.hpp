@@ -32,7 +32,7 @@ struct Sizes {
   double time_step_us = 0;
 };
 
-/// What has become of one of several plates.
+/// State of one of several plates at the end.
 struct LayerResult {
   std::string material; ///< name of its metal
   ogive::Fragments<double> fragments;
@@ -55,7 +55,7 @@ struct Swing {
   double integral_mm_us = 0; ///< of the dishing since it was decided
 };
 
-/// Everything that a finished shot reports.
+/// Results of a shot.
 struct Result {
   std::string material; ///< name of the plate's metal; of several "first + second + ..." if they differ
   Sizes sizes;
@@ -88,7 +88,7 @@ struct Result {
 /// Radians as degrees.
 inline double in_degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-/// What a shot has shown.
+/// Outcomes of a shot.
 enum class Verdict { perforated, stopped, undecided };
 
 /// The verdict of a shot: undecided if its time ended or a fault stopped it before the projectile's motion decided.

@@ -12,10 +12,10 @@ namespace shot {
 /// options that leave the physics as they are may be given. Throws SetupError.
 Options restarted(const std::string &file, const std::vector<options::Given> &given);
 
-/// Whether and how a run resumes.
+/// The options of a run that may resume, and the obstacle if it cannot.
 struct Resumed {
   Options options;
-  std::string obstacle{}; ///< why the checkpoint in the folder does not serve; empty if it does or there is none
+  std::string obstacle{}; ///< error of the checkpoint in the folder; empty if it can be resumed or there is none
 };
 
 /// The options of a run that continues what an earlier one left in the folder `options.out`: they resume from the
@@ -30,8 +30,8 @@ std::vector<std::pair<std::string, std::string>> case_values(const Options &opti
 /// The metals of the plates and of the projectile, as text of files.
 std::string all_metals_text(const Options &options);
 
-/// What of the case in the results of `options.out` is not that of these options: "thickness_mm", "material"; empty if
-/// it is the same, nothing if there is no case that can be read. The end of the time does not count: a verdict does not
+/// The first key in which the case in `options.out` differs from these options: "thickness_mm", "material"; empty if
+/// they agree, nothing if there is no case that can be read. The end of the time is not compared: the verdict does not
 /// depend on it.
 std::optional<std::string> other_case(const Options &options);
 

@@ -52,7 +52,7 @@ std::unique_ptr<options::FolderLock> lock_results(const Options &o) {
       "another run writes its results there; wait for its end, or give another folder");
 }
 
-/// Why the folder holds results that this run must not overwrite; empty if it does not.
+/// Description of results in the folder that this run must not overwrite; empty if there are none.
 std::string other_results(const Options &o) {
   if (is_in_place(o)) return "";
   const auto other = other_case(o);

@@ -16,17 +16,17 @@ using options::success;
 /// The exit status of a run that a signal interrupted, less the number of the signal.
 constexpr int interrupted = 128;
 
-/// How much of a run is printed and drawn.
+/// Extent of the output of a run.
 enum class Output {
-  all, ///< what is about to be run, the closing table, pictures, why it did not come to its end
+  all, ///< the case, the closing table, pictures, and the reason for an early end
   none
 };
 
-/// How a case ended.
+/// End of a case.
 struct Outcome {
   int status = success;
   Result shot;
-  std::string problem{}; ///< why it did not come to its end, one line
+  std::string problem{}; ///< reason for an early end, one line
 };
 
 /// Runs a case and writes its results. Throws SetupError, and then nothing was run or overwritten.

@@ -40,7 +40,7 @@ BodySizes sizes_of(const ogive::HexBody<double, Law, Rule> &body, const ogive::N
           .smallest_scaled_jacobian = q.smallest_scaled_jacobian};
 }
 
-/// What the projectile's mesh and the plate's particles amount to.
+/// Numbers, sizes and masses of the projectile's mesh and the plate's particles.
 template <class M> Sizes sizes_of(const M &model) {
   Sizes s;
   const ogive::NodeRange shot = ogive::projectile_nodes(model);

@@ -9,7 +9,7 @@
 
 namespace shot {
 
-/// How the notes of a checkpoint begin.
+/// First entries in the notes of a checkpoint.
 struct SavedCase {
   std::string program;    ///< "ogive shoot"
   std::string version;    ///< of ogive

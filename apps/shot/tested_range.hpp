@@ -10,7 +10,7 @@
 
 namespace shot {
 
-/// What of a case lies outside of that range, with the range, in one line; empty: nothing.
+/// Options of a case outside of that range, with the range, in one line; empty: all are inside.
 std::string outside_tested_range(const Options &o);
 
 } // namespace shot

@@ -22,7 +22,7 @@ struct CaseList {
 /// names file, line and column.
 CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<std::string> &csv, const Texts &varied);
 
-/// What a user can choose of every study.
+/// Options of every study.
 struct StudyOptions {
   int jobs = 0; ///< shots at a time; 0: as many as cores
   std::string shard = "1/1";

@@ -26,7 +26,7 @@ struct Figures {
   std::vector<FigurePlot> plots;
 };
 
-/// What a user can choose.
+/// Options of the programs of the figures.
 struct FigureOptions {
   int figure = 0; ///< this one alone; 0: all
   bool quick = false;

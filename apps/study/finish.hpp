@@ -8,11 +8,11 @@
 #include <memory>
 
 /// \file
-/// What all programs that run a study do: lock it, run it, report, end.
+/// Steps of all programs that run a study: lock it, run it, report, end.
 
 namespace study {
 
-/// What keeps other processes from a study as long as it exists.
+/// Locks that keep other processes from a study as long as they exist.
 using StudyLock = std::vector<std::unique_ptr<options::FolderLock>>;
 
 /// Locks a study, or the study's shard: processes may work on different shards if the number of shards is the same.

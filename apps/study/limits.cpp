@@ -54,7 +54,7 @@ std::string origin_of(const ogive::ParameterReport<double> &report) {
   return report.origin == held ? "held" : report.origin == fitted ? "fitted" : "at bound";
 }
 
-/// Why the rows of a series are not its own: the results of a shot are of another case. Empty if they are.
+/// Description of a row that is not of this series: the results of its shot are of another case. Empty if all match.
 std::string conflict_in(const Study &study, const Series &series, const std::vector<Row> &rows) {
   for (const Row &row : rows) {
     if (series_key(row.key) != series.key) continue;

@@ -11,7 +11,7 @@
 
 namespace study {
 
-/// What the tests and the paper report of a limit, where they do.
+/// Published values of a limit, from tests and from the paper; empty where there are none.
 struct Published {
   std::optional<double> test_limit_mps;
   std::optional<double> paper_velocity_mps; ///< the paper's strike velocity close to its own limit
@@ -51,8 +51,8 @@ std::vector<Series> series_in(const std::vector<Case> &shots);
 /// The shot of a series at a velocity.
 Case shot_of(const Series &series, double velocity_mps, const Texts &own_columns);
 
-/// What is published about the limit of a case, from the tables of tests; nothing for plates and projectiles other than
-/// those of the tests. Throws SetupError for a damaged table.
+/// Published values of the limit of a case, from the tables of tests; empty for plates and projectiles other than those
+/// of the tests. Throws SetupError for a damaged table.
 Published find_published(const shot::Options &options);
 
 /// The series with twice the particle distance, of which a shot costs a tenth; nothing if so few particles would lie

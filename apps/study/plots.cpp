@@ -68,7 +68,7 @@ draw::Curve curve(const fs::path &file, const Look &look) {
   return {draw::gnuplot_columns(file, "1:2"), look.style, look.title};
 }
 
-/// What the shots of a panel share.
+/// Plate and projectile that the shots of a panel share.
 Specimen specimen_of(const Key &key) {
   const std::string &material = key.values[material_column];
   return {material.starts_with("weldox")   ? "Weldox 460 E"

@@ -34,7 +34,7 @@ std::string hash_of_record(Json record) {
   return hash_of(dumped(record));
 }
 
-/// All that the limit follows from.
+/// All inputs that the limit follows from.
 Json inputs(const shot::Options &o, double width_mps) {
   Json all{{"width_mps", width_mps}};
   for (const auto &[key, value] : shot::case_values(o))

@@ -27,7 +27,7 @@ Prediction read_prediction(const std::filesystem::path &file, const std::string 
 void require_same_case(const Prediction &prediction, const shot::Options &o, double width_mps,
                        const std::string &origin);
 
-/// What came of the search beside the record.
+/// Comparison of a search with an earlier record.
 struct Comparison {
   std::string text;      ///< one line
   bool confirmed = true; ///< the bracket of each recorded limit overlaps with the one found now

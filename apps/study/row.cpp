@@ -26,7 +26,7 @@ Texts operator+(Texts a, const Texts &b) {
   return a;
 }
 
-/// All of a file. Throws SetupError.
+/// Contents of a file. Throws SetupError.
 std::string read_text(const fs::path &name) {
   auto text = options::text_in(name);
   if (!text) throw SetupError(name.string() + ": must be a file that can be read");

@@ -6,15 +6,14 @@
 #include <nlohmann/json_fwd.hpp>
 
 /// \file
-/// A shot of a study and what is kept of it: one row of a CSV file.
+/// A shot of a study and its results: one row of a CSV file.
 
 namespace study {
 
 /// Texts or names of columns.
 using Texts = std::vector<std::string>;
 
-/// What makes one shot of a study differ from another: the values of key_columns() and then of the study's own columns,
-/// as text.
+/// Values that identify a shot in a study, as text: those of key_columns() and then of the study's own columns.
 struct Key {
   Texts values;
 

@@ -15,7 +15,7 @@ struct Case {
   Key key;
 };
 
-/// Where and how the shots of a study are run.
+/// Folder, columns and resources of a study.
 struct Study {
   std::filesystem::path out;    ///< folder of the study: shots/ and the rows
   Texts own_columns{};          ///< of the key, besides key_columns()
@@ -26,7 +26,7 @@ struct Study {
   int shards = 1;
 };
 
-/// What came of the shots.
+/// Counts and failures of the shots.
 struct Outcome {
   int run = 0;                       ///< shots run now
   int known = 0;                     ///< shots that had been run before
@@ -34,7 +34,7 @@ struct Outcome {
   int stopped_by = 0;                ///< the signal that ended the work; 0: none did
 };
 
-/// Whether a row is the last word on a case: more time may decide an undecided shot.
+/// True if a row is final for a case; an undecided shot may be decided by a later end.
 bool is_final(const Row &row, const Case &shot);
 
 /// Adds the shots that were run, and failed, in further work.
@@ -63,7 +63,8 @@ std::filesystem::path folder_of(const Study &study, const Case &shot);
 /// Cores that this process may use: in a job of a cluster, some of a machine's.
 int cores();
 
-/// Why the results in the folder of a shot are not those of its case, one line; empty if they are or there are none.
+/// First difference between the results in the folder of a shot and its case, one line; empty if they agree or there
+/// are no results.
 std::string conflict(const Study &study, const Case &shot);
 
 /// The file that takes the rows of this process.

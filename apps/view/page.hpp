@@ -22,7 +22,7 @@ struct Velocity {
 /// The columns time_us and velocity_m_per_s of a history.csv, of at most 400 rows at even distances. Throws SetupError.
 Velocity read_velocity(const std::filesystem::path &history);
 
-/// What a page shows.
+/// Contents of a page.
 struct Result {
   std::string title;
   ogive::StoredSeries series;
@@ -32,7 +32,7 @@ struct Result {
   Velocity velocity;                             ///< may be empty
 };
 
-/// The fields of a page for which nobody chose others.
+/// The default fields of a page.
 const std::vector<std::string> &default_fields();
 
 /// The HTML of a result. `three` is the folder of three.js, with three.min.js and

@@ -6,7 +6,7 @@
 #include "ogive/fit/johnson_cook_form.hpp"
 
 /// \file
-/// What a user can choose for `ogive calibrate`, from the command line and from a TOML file.
+/// The options of `ogive calibrate`, from the command line and from a TOML file.
 
 namespace calibrate {
 

@@ -37,7 +37,7 @@ std::vector<double> strains_of(const Results &r, auto &&belongs) {
   return strains;
 }
 
-/// What the plots of one calibration share.
+/// Data that all plots of one calibration share.
 struct Plots {
   const Options &options;
   const Results &results;

@@ -58,11 +58,11 @@ Results fitted(const Options &options, std::vector<ogive::StressCurve> curves, s
 /// Writes fit.json. Throws ogive::WriteError.
 void write_json(const Options &options, const Results &results);
 
-/// Writes material.toml. Returns why it is left out, if it is. Throws ogive::WriteError.
+/// Writes material.toml. Returns the reason if it is left out. Throws ogive::WriteError.
 std::string write_materials(const Options &options, const Results &results);
 
-/// Writes the tables behind the pictures and draws these. Returns what could not be drawn. Throws ogive::WriteError for
-/// a table.
+/// Writes the tables behind the pictures and draws these. Returns a line for each picture that cannot be drawn. Throws
+/// ogive::WriteError for a table.
 std::string write_plots(const Options &options, const Results &results);
 
 /// Prints the closing table.

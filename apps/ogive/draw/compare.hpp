@@ -16,7 +16,7 @@ struct Difference {
   std::optional<double> percent; ///< of the first, where that is not 0
 };
 
-/// What two folders of results state differently, options of the case first. Cost, threads, places of files and
+/// Differences between the results in two folders, options of the case first. Cost, threads, places of files and
 /// differences below 1e-9 of a value are left out. Throws SetupError if a summary.json cannot be read.
 std::vector<Difference> differences(const fs::path &first, const fs::path &second);
 

@@ -14,7 +14,7 @@
 
 namespace draw {
 
-/// The names of where a picture is seen from.
+/// The names of the directions of view.
 inline auto choices(Seen) {
   return options::named<Seen>({{Seen::section, "section"}, {Seen::oblique, "oblique"}, {Seen::behind, "behind"}});
 }
@@ -25,12 +25,12 @@ namespace commands::drawing {
 
 namespace fs = std::filesystem;
 
-/// The time of a series' last frame, whenever that is.
+/// Denotes the time of a series' last frame.
 inline constexpr double last_time = std::numeric_limits<double>::infinity();
 
-/// What gives the colour of sections.
+/// Quantities that colour the sections.
 enum class Colour { plastic_strain, temperature };
-/// Their names.
+/// The names of the quantities.
 inline auto choices(Colour) {
   return options::named<Colour>({{Colour::plastic_strain, "plastic_strain"}, {Colour::temperature, "temperature"}});
 }

@@ -66,7 +66,7 @@ void choose(draw::SectionPanel &panel, const Options &o) {
   panel.style.mesh_edges = o.mesh_edges;
 }
 
-/// What is seen where nobody gave a box: of a section down to the plug, of the rear as much to all sides.
+/// The visible box: --view-mm, else the default of a section, and of the rear view a square.
 draw::SeenBox first_box(const Options &o) {
   draw::SeenBox box;
   if (o.view_mm) return {(*o.view_mm)[0], (*o.view_mm)[1], (*o.view_mm)[2]};

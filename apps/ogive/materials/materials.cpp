@@ -30,7 +30,7 @@ AnyMetal metal_named(const std::string &name, library::Model model) {
   return library::find_metal(name, model, "show");
 }
 
-/// What follows from the constants of a metal for bands of adiabatic shear, method stabilised.
+/// Strain of instability and width of bands of adiabatic shear of a metal, with the method stabilised, as text.
 std::string band_text(const AnyMetal &any) {
   return std::visit(
       [](auto metal) -> std::string {

@@ -6,11 +6,11 @@
 #include "options/command_line.hpp"
 
 /// \file
-/// What a user can choose for `ogive materials`.
+/// The options of `ogive materials`.
 
 namespace metals {
 
-/// What the command does.
+/// Actions of the command.
 enum class Action { list, show, check, import, from_tensile };
 
 /// The law of a mill certificate.
