@@ -11,7 +11,8 @@
 
 namespace ogive {
 
-/// How full the surroundings of particle `i` at `positions` (m) are of other bodies: 0 far from them, 1 within one.
+/// Volume fraction of other bodies, weighted with the kernel, around particle `i` at `positions` (m): 0 far from them,
+/// 1 within one.
 template <class T> T fullness_at(const ParticleContact<T> &contact, std::span<const Vec3<T>> positions, Index i) {
   T sum{};
   for (const ParticleNearby &near : row(contact, i)) {

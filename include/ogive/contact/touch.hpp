@@ -11,7 +11,7 @@
 #include <numbers>
 
 /// \file
-/// Where and how deep a slave touches the surface: the narrow phase of contact.
+/// Place and depth of the contact between a slave and the surface: the narrow phase of contact.
 
 namespace ogive {
 
@@ -70,7 +70,7 @@ bool is_outside(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a,
   return outward.dot(p - closest) >= T(0);
 }
 
-/// Where and how deep a slave touches the surface.
+/// Place and depth of the contact between a slave and the surface.
 template <class T> struct Touch {
   Index facet = -1;                    ///< -1: no contact
   std::array<T, 4> weights{};          ///< of the facet's nodes at the closest point
@@ -115,8 +115,8 @@ NearestFacet<T> find_nearest(const NodeToSurface<T> &contact, const Nodes<T> &no
   return {facet, best, outside};
 }
 
-/// How slave `a` of the active list touches the surface at `nearest`. At an edge or corner the direction is that from
-/// the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
+/// Contact of slave `a` of the active list with the surface at `nearest`. At an edge or corner the direction is that
+/// from the surface to the slave, so that it turns smoothly around the edge; in a mirror plane it stays in the plane.
 template <class T>
 Touch<T> touch_at(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a, const NearestFacet<T> &nearest) {
   const Index slave = contact.candidates.active[a];
@@ -142,7 +142,7 @@ Touch<T> touch_at(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index 
   return {facet, best.weights, reflected<T>(direction / length, reflection), depth, false, reflection};
 }
 
-/// How slave `a` of the active list touches the surface.
+/// Contact of slave `a` of the active list with the surface.
 template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const Nodes<T> &nodes, Index a) {
   const Index s = contact.candidates.active[a];
   const Vec3<T> p = on_model_side(contact, nodes.position, s);

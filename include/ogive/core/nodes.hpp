@@ -20,8 +20,8 @@ struct NodeRange {
   Index size() const { return end - begin; }
 };
 
-/// Everything that moves: finite element nodes and SPH particles alike.
-/// Velocities belong to the half step before the time of the positions (central differences).
+/// Nodes of finite elements and SPH particles, in one list. Velocities belong to the half step before the time of the
+/// positions (central differences).
 template <class T> struct Nodes {
   std::vector<Vec3<T>> position;  ///< m
   std::vector<Vec3<T>> velocity;  ///< m/s

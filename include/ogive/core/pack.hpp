@@ -50,7 +50,7 @@ template <class T> struct Pack {
 
   /// Any numbers, as of a T; `Pack{}` is zeros.
   Pack() = default;
-  /// The same number in all lanes.
+  /// One number in all lanes.
   Pack(T same) : v(same - Register{}) {}
   /// A constant of another type, taken as T(constant) takes it.
   template <class U>
@@ -134,7 +134,7 @@ template <class R> bool register_any(R bits) {
 
 } // namespace detail
 
-/// Where a comparison holds: all bits of a lane, or none. `&` and `!` combine masks as they do bools.
+/// Result of a comparison: all bits of a lane where it holds, else none. `&` and `!` combine masks as they do bools.
 template <class T> struct Mask {
   decltype(typename Pack<T>::Register{} < typename Pack<T>::Register{}) v; ///< all bits of a lane, or none
   /// Whether it holds in a lane.

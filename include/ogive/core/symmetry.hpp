@@ -8,7 +8,7 @@
 
 namespace ogive {
 
-/// How much of the round model is computed.
+/// Computed part of the round model.
 enum class Extent { full, half, quarter };
 
 /// Mirror planes x = 0 and y = 0 (the planes yz and xz). A half model has the plane y = 0, a quarter model both.

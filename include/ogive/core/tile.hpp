@@ -105,7 +105,7 @@ template <class Width = SimdWidth> Pack<float> repeat(const float *group) {
   p.v = detail::repeated(group);
   return p;
 }
-/// The same for coordinates in quanta.
+/// The neighbours' coordinates in quanta, from `group`, for each particle of the tile.
 template <class Width = SimdWidth> FixedPack<Width> repeat(const std::int32_t *group) {
   return {(typename FixedPack<Width>::Register)detail::repeated(group)};
 }
@@ -116,7 +116,7 @@ template <class Width = SimdWidth> Pack<float> spread(const float *cluster) {
   p.v = detail::spread(cluster);
   return p;
 }
-/// The same for coordinates in quanta.
+/// The particles' coordinates in quanta, from `cluster`, for each neighbour of the tile.
 template <class Width = SimdWidth> FixedPack<Width> spread(const std::int32_t *cluster) {
   return {(typename FixedPack<Width>::Register)detail::spread(cluster)};
 }

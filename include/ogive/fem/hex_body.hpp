@@ -77,7 +77,7 @@ template <class T, class Law, class Rule = OnePoint, class Width = SimdWidth> st
 
 /// Whether a type is a HexBody.
 template <class Body> inline constexpr bool is_hex_body = false;
-/// It is one.
+/// True for HexBody.
 template <class T, class Law, class Rule> inline constexpr bool is_hex_body<HexBody<T, Law, Rule>> = true;
 
 /// A body of hexes, constant or not.

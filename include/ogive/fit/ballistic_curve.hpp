@@ -54,7 +54,7 @@ template <class T> struct ResidualShot {
   T residual{}; ///< m/s
 };
 
-/// How a fit came by a parameter.
+/// Origin of a parameter of a fit.
 enum class ParameterOrigin {
   held,    ///< not asked of the shots
   fitted,  ///< least squares
@@ -63,7 +63,7 @@ enum class ParameterOrigin {
 
 /// The origin and the uncertainty of a parameter.
 template <class T> struct ParameterReport {
-  ParameterOrigin origin = ParameterOrigin::held; ///< how the fit came by it
+  ParameterOrigin origin = ParameterOrigin::held; ///< held, fitted or at its bound
   std::optional<T> standard_error;                ///< of fitted ones with more points than parameters
 };
 

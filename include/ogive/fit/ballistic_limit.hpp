@@ -160,7 +160,7 @@ template <class T> Points perforating(std::span<const ResidualShot<T>> shots) {
   return points;
 }
 
-/// How many initial velocities are different.
+/// Number of different initial velocities.
 inline std::size_t different(const Eigen::ArrayXd &values) {
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());

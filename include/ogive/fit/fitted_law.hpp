@@ -35,7 +35,7 @@ inline double flow_stress_value(const Calibration &c, std::size_t h, double stra
   return flow_stress_value(c.frame, c.hardening[h], c.C, c.b, strain, rate, temperature);
 }
 
-/// How far a law is from one curve.
+/// Errors of a law against one curve.
 struct CurveMisfit {
   int points = 0;     ///< of the curve
   double rms = 0;     ///< Pa
@@ -43,7 +43,7 @@ struct CurveMisfit {
   double strain = 0;  ///< plastic, there
 };
 
-/// How far the law is from a curve, along the temperature of the test.
+/// Errors of the law against a curve, along the temperature of the test.
 inline CurveMisfit misfit(const SortedCurve &s, const Calibration &c) {
   CurveMisfit m;
   double squares = 0;
@@ -62,7 +62,7 @@ struct Misfit {
   double rms = 0;      ///< Pa
   double relative = 0; ///< of the measured stress
 };
-/// How far the law is from all points that are used.
+/// Errors of the law against all points that are used.
 inline Misfit misfit(const TestSeries &s, const Calibration &c) {
   double squares = 0, relative = 0;
   const auto points = used_points(s);

@@ -28,7 +28,7 @@ struct Hardening {
   double a{}; ///< exponent
 };
 
-/// All that a law knows besides its five parameters.
+/// Constants of a law besides its five parameters.
 struct FlowFrame {
   FlowForm form = FlowForm::modified; ///< rate factor
   double reference_rate = 1;          ///< 1/s, of the classical law

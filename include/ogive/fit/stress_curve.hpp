@@ -46,7 +46,7 @@ struct TrueCurve {
   double necking_strain = 0;     ///< true plastic strain there
 };
 
-/// Where yielding ends and hardening begins: 0.2 % plastic strain.
+/// Plastic strain at which yielding ends and hardening begins: 0.2 %.
 inline constexpr double least_plastic_strain = 0.002;
 
 /// True stress s (1 + e) and plastic strain ln(1 + e) - stress/young up to necking, where the engineering stress s is

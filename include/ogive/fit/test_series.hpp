@@ -74,7 +74,7 @@ struct SortedCurve {
 
 /// All tests of a metal.
 struct TestSeries {
-  SeriesSettings settings;         ///< what was given
+  SeriesSettings settings;         ///< as given
   std::vector<SortedCurve> curves; ///< in the order of the tables
   /// Plates with a hardening curve of their own; last, if a plate has no quasi-static curve, `all_plates`.
   std::vector<std::string> hardenings;

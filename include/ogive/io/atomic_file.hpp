@@ -63,11 +63,11 @@ inline void write_atomically(const std::filesystem::path &path, std::span<const 
   throw write_error(path, std::generic_category().message(error));
 }
 
-/// The same for bytes in one piece.
+/// Writes bytes in one piece, see write_and_sync() for several.
 inline int write_and_sync(const std::filesystem::path &path, std::string_view bytes) {
   return write_and_sync(path, std::span<const std::string_view>(&bytes, 1));
 }
-/// The same for bytes that are there already.
+/// Writes bytes that are in memory already. Throws WriteError.
 inline void write_atomically(const std::filesystem::path &path, std::string_view bytes) {
   write_atomically(path, std::span<const std::string_view>(&bytes, 1));
 }

@@ -48,7 +48,7 @@ inline constexpr std::uint32_t byte_order_mark = 0x01020304;
 /// version: the fingerprint of the model counts them.
 inline constexpr std::uint32_t format_version = 1;
 
-/// How a file begins.
+/// Header of a checkpoint file.
 struct Header {
   std::array<char, 8> magic = checkpoint_detail::magic;
   std::uint32_t byte_order = byte_order_mark;

@@ -29,7 +29,7 @@ inline void trim(std::string &field) {
   field.erase(0, std::min(field.find_first_not_of(" \t"), field.size()));
 }
 
-/// Where the line that begins at `from` ends: at its line feed or at the end of the text.
+/// End of the line that begins at `from`: its line feed or the end of the text.
 inline std::size_t line_end(std::string_view text, std::size_t from) {
   return std::min(text.find('\n', from), text.size());
 }

@@ -54,7 +54,7 @@ struct VtkSeriesEntry {
 
 /// A growing series of frames: FOLDER/NAME.pvd and FOLDER/frames/NAME_PART_NNNN.vtu.
 struct VtkSeries {
-  std::filesystem::path folder;          ///< where the .pvd lies
+  std::filesystem::path folder;          ///< of the .pvd
   std::string name;                      ///< of the .pvd, and the start of all names
   int frames = 0;                        ///< written so far
   std::vector<VtkSeriesEntry> entries{}; ///< in the order of writing
@@ -147,7 +147,7 @@ inline void add_frame(VtkSeries &series, const Frame &frame) {
   series = std::move(next);
 }
 
-/// How the .pvd lists a file.
+/// Entry of the .pvd for a file, without its end "/>".
 inline std::string pvd_element(const VtkSeriesEntry &entry) {
   const std::string text = pvd_text({{}, {}, 0, {entry}});
   const auto begin = text.find("<DataSet");

@@ -33,7 +33,7 @@ N failure_strain(const FailureStrain<T> &f, N triaxiality, N rate, N homologous_
   return max(strain, N(1e-6));
 }
 
-/// How damage grows with plastic strain.
+/// Growth of damage with plastic strain.
 enum class DamageLaw {
   none,            ///< it does not
   johnson_cook,    ///< D = sum of d eps / eps_f (Liu et al. 2012, Eqs. 3-4; Johnson & Cook 1985)
@@ -49,7 +49,7 @@ enum class FailureEffect {
 
 /// Damage of a metal.
 template <class T> struct Damage {
-  DamageLaw law = DamageLaw::none;            ///< how damage grows
+  DamageLaw law = DamageLaw::none;            ///< growth of damage
   FailureEffect effect = FailureEffect::none; ///< of damage 1
   FailureStrain<T> failure_strain{};          ///< of the Johnson-Cook law
   T critical_work{};                          ///< W_cr of the Cockcroft-Latham law, Pa

@@ -40,7 +40,7 @@ template <class T, class Law>
 requires FlowLaw<Law, T>
 struct Metal {
   std::string name;               ///< for messages and files
-  std::string source;             ///< where the constants come from
+  std::string source;             ///< of the constants: papers, tables
   std::string confidence;         ///< how far they can be trusted, in words; empty: not known
   T density{};                    ///< kg/m3
   Elasticity<T> elasticity{};     ///< isotropic

@@ -77,10 +77,10 @@ template <class T, class N> N kept_excess(const ShearBand<T> &band, N before, N 
   return heat_excess(band, after) / max(heat_excess(band, before), N(T(1e-30)));
 }
 
-/// How far a flow is simple shear, which bands need: 1 in simple shear, 0 in flow that is as far from it as from one
-/// without rotation, or farther: 2 W_k - 1 with the kinematic vorticity number W_k = |W|/|D'| (Truesdell 1953), W the
-/// spin and D' the deviator of the rate of deformation `D` (1/s); `vorticity` is the curl of the velocity, 1/s. A hole
-/// that widens stretches around its edge without rotation. `N` is T or a pack of T.
+/// Share of simple shear in a flow, which bands need: 1 in simple shear, 0 in flow at least as close to one without
+/// rotation: 2 W_k - 1, at least 0, with the kinematic vorticity number W_k = |W|/|D'| (Truesdell 1953), W the spin and
+/// D' the deviator of the rate of deformation `D` (1/s); `vorticity` is the curl of the velocity, 1/s. A hole that
+/// widens stretches around its edge without rotation. `N` is T or a pack of T.
 template <class N> N simple_shear(const Sym3<N> &D, const Vec3<N> &vorticity) {
   using std::max, std::min, std::sqrt;
   const Sym3<N> shape = deviator(D);

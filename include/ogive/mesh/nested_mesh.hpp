@@ -97,7 +97,7 @@ template <class T> void check_inner(const ProjectileShape<T> &s) {
 
 namespace nested_detail {
 
-/// Where a nested mesh has nodes along the axis, m: at the ends of all surfaces and at kinks that are not close to
+/// Positions of the nodes of a nested mesh along the axis, m: the ends of all surfaces, and kinks that are not close to
 /// them.
 template <class T> std::vector<T> places_of(const ProjectileShape<T> &s, T least_distance) {
   std::vector<T> places = {T(0), length(s)}, kinks_there;

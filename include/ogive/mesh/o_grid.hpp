@@ -81,7 +81,7 @@ HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at
   return mesh;
 }
 
-/// The same with the shell nodes evenly spaced.
+/// O-grid with evenly spaced shell nodes.
 template <class T, class CoreAt, class SurfaceAt>
 HexMesh<T> o_grid(const OGridCounts &n, CoreAt &&core_at, SurfaceAt &&surface_at) {
   return o_grid<T>(n, core_at, surface_at, [&](const Vec3<T> &inner, const Vec3<T> &outer, Index l) -> Vec3<T> {

@@ -11,7 +11,7 @@
 
 namespace ogive {
 
-/// What holds the parts of a body together where they meet.
+/// Connection of the parts of a body where they meet.
 enum class Parts {
   tied,    ///< they share nodes, and deform together
   touching ///< each has nodes of its own: they slide on each other, and may come apart

@@ -27,7 +27,7 @@ struct FileMesh {
   PartMesh<double> body;                  ///< m; parts with numbers in their order, then those with names
   std::vector<std::int64_t> node_numbers; ///< as the file has them
   std::vector<std::int64_t> hex_numbers;  ///< likewise
-  std::vector<long> hex_lines;            ///< where each hex begins, from 1; empty for a file without lines
+  std::vector<long> hex_lines;            ///< first line of each hex, from 1; empty for a file without lines
 };
 
 /// "FILE: hex 12", or "FILE:40: hex 12" where the line is known.

@@ -18,7 +18,7 @@ namespace abaqus_detail {
 struct Keyword {
   std::string name;                                        ///< "*NODE"
   std::vector<std::pair<std::string, std::string>> values; ///< parameter and value
-  long line = 0;                                           ///< where it begins
+  long line = 0;                                           ///< its first line
 };
 
 /// Value of a parameter; empty if it is missing.

@@ -11,7 +11,7 @@
 
 namespace ogive {
 
-/// How the particles of the plate are laid out.
+/// Arrangement of the plate's particles.
 enum class Lattice {
   cubic, ///< simple cubic, cut at the disc's edge
   ring   ///< concentric rings, layer by layer
@@ -42,11 +42,11 @@ template <class T> struct PerforationCase {
                      ///< plate's axis: positive where the obliquity grows; not in a quarter model
   T yaw = T(0);      ///< likewise out of that plane, towards +y; in a full model alone
   T friction = T(0); ///< Coulomb, plate on projectile
-  Parts parts = Parts::tied;            ///< what holds the parts of the projectile together
+  Parts parts = Parts::tied;            ///< connection of the projectile's parts
   T part_friction = T(0.1);             ///< Coulomb, between parts that touch
   bool erosion = true;                  ///< hexes of the projectile that are too distorted are removed, unless rigid
   bool rigid_projectile = false;        ///< it moves as one, and does not deform
-  Extent extent = Extent::quarter;      ///< how much of the model is computed
+  Extent extent = Extent::quarter;      ///< computed part of the model
   std::vector<PlateBehind<T>> behind{}; ///< more plates, in the order in which the projectile meets them
 };
 
@@ -62,7 +62,7 @@ template <class T> PartMesh<T> projectile_body(const PerforationCase<T> &c, T sp
 /// Most plates of a target: more are better taken for one with other properties.
 inline constexpr std::size_t most_layers = 8;
 
-/// Where a plate of a target lies.
+/// Position and thickness of a plate of a target.
 template <class T> struct Layer {
   T front{};     ///< m, depth of its front face below that of the first one
   T thickness{}; ///< m

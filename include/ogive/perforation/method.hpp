@@ -28,16 +28,16 @@ template <class T> struct PerforationOptions {
   T largest_added_mass = T(0.01); ///< of the projectile's mass, allowed to raise the time step of thin hexes at a tip
 };
 
-/// How the plate's particles hold together.
+/// Numerical methods; they differ in the cohesion of the plate's particles.
 enum class Method {
   paper,     ///< as in Liu et al. 2012: by SPH alone; particles come apart by themselves
   stabilised ///< zero-energy modes are resisted by bonds (sph/control.hpp); what tears is up to damage
 };
 
-/// All that a method chooses, the same for all metals, plates and projectiles.
+/// Choices of a method, which are the same for all metals, plates and projectiles.
 template <class T> struct MethodChoices {
   Lattice lattice{};                ///< of the plate's particles
-  DamageLaw damage{};               ///< how damage grows
+  DamageLaw damage{};               ///< growth of damage
   FailureEffect failure{};          ///< of damage D = 1 on a particle
   T softening{};                    ///< Dc, part of the flow stress that D = 1 takes away
   T band_onset{};                   ///< of bands of adiabatic shear in the plate, see ShearBand

@@ -140,8 +140,8 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   return whole;
 }
 
-/// How far the particle of a plate that is deepest inside the projectile lies behind its surface, m; 0 if none is
-/// inside. Removed particles may be anywhere.
+/// Depth behind the projectile's surface of the particle of a plate that is deepest inside, m; 0 if none is inside.
+/// Removed particles may be anywhere.
 template <class M, class Body> auto largest_intrusion_of(const M &model, const Body &body) {
   const auto &contact = model.contacts.front();
   const auto &nodes = model.nodes;
@@ -167,7 +167,7 @@ template <class M, class Body> auto largest_intrusion_of(const M &model, const B
   });
 }
 
-/// The same for the particles of all plates.
+/// Depth behind the projectile's surface of the particle of any plate that is deepest inside, m; 0 if none is inside.
 template <class M> auto largest_intrusion(const M &model) {
   auto deepest = largest_intrusion_of(model, plate_particles(model));
   for (std::size_t layer = 1; layer < model.bodies.plate_particles.size(); ++layer)

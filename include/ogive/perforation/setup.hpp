@@ -284,7 +284,7 @@ make_perforation(const PerforationCase<T> &c, const std::vector<Metal<T, Law>> &
 }
 
 ///@{
-/// The same with one metal for the projectile, and with one for all plates as well.
+/// The model of a case with one metal for the projectile, and with one for all plates as well.
 template <class Kernel = CubicSpline, class Form = RenormalisedForm, class Rule = OnePoint, class T, class Law,
           class ShotLaw>
 PerforationModel<T, Law, Kernel, Form, Rule, ShotLaw>
@@ -302,8 +302,8 @@ make_perforation(const PerforationCase<T> &c, const Metal<T, Law> &plate, const 
 }
 ///@}
 
-/// The same with all that a method chooses: lattice, damage and bands of shear of the plates, numerical choices; and
-/// its friction on a sharp nose for which the case has none.
+/// The model of a case with the choices of a method: lattice, damage and bands of shear of the plates, numerical
+/// choices; and its friction on a sharp nose for which the case has none.
 template <class T, class Law, class ShotLaw>
 PerforationModel<T, Law, CubicSpline, RenormalisedForm, OnePoint, ShotLaw>
 make_perforation(Method method, PerforationCase<T> c, const Metal<T, Law> &plate,

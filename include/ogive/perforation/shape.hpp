@@ -127,7 +127,7 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   return shape;
 }
 
-/// The same for the only plate, or the first one, of this thickness (m).
+/// Shape of the only plate, or the first one, of this thickness (m).
 template <class M, class T>
 PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed, T radius, T thickness) {
   return plate_shape(model, undeformed, radius, Layer<T>{T(0), thickness});

@@ -54,7 +54,7 @@ template <class T> T largest_relative_move(const Box<T> &box, SymmetryPlanes pla
   return extent.norm();
 }
 
-/// The same for `count` points with the displacements `move(k)` (m).
+/// Upper bound of the relative displacement of any two of `count` points with the displacements `move(k)` (m).
 template <class T, class F> T largest_relative_move(Index count, F &&move, SymmetryPlanes planes) {
   return largest_relative_move(box_of_moves<T>(count, move), planes);
 }

@@ -80,7 +80,7 @@ template <class T, class Width = SimdWidth> struct Search {
   float reach_squared{};         ///< quanta squared, a little more: the test is done in single precision
 };
 
-/// Where the neighbours of a column's clusters are, as a reflection of the clusters shows it.
+/// Columns near a column's clusters under one reflection of the clusters.
 template <class T> struct Side {
   Reflection reflection{};           ///< of the clusters whose neighbours are searched for
   std::vector<NearColumn<T>> near{}; ///< columns that may hold neighbours

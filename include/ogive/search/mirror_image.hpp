@@ -15,7 +15,7 @@ struct MirrorImage {
   Reflection reflection{}; ///< that makes the image
 };
 
-/// How far the furthest of the points at `positions` (m) lies behind each plane x, y, z = 0, m; 0 if none does.
+/// Largest distance of the points at `positions` (m) behind each plane x, y, z = 0, m; 0 if none is behind it.
 template <class T> Vec3<T> furthest_behind(std::span<const Vec3<T>> positions) {
   Vec3<T> behind = Vec3<T>::Zero();
   for (const Vec3<T> &x : positions) behind = behind.cwiseMax(-x);

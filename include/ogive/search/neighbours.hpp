@@ -89,7 +89,7 @@ template <class N> auto bits(N &n, Index c) { return n.within.begin() + (n.clust
 
 /// Writes the bits of a cluster, entry by entry.
 template <class Words> struct BitWriter {
-  Words word;             ///< where the next word goes
+  Words word;             ///< place of the next word
   std::uint64_t bits = 0; ///< of the word that is being filled
   int count = 0;          ///< of them
   /// Appends a bit.
@@ -115,7 +115,7 @@ template <class Words> struct SetEntries {
   struct Iterator {
     const Index *places; ///< of the present word's first entry
     const Index *last;   ///< end of the row
-    Words word;          ///< where the next word goes
+    Words word;          ///< place of the next word
     std::uint64_t bits;  ///< of the present word that are left
     /// The place.
     Index operator*() const { return places[std::countr_zero(bits)]; }

@@ -11,7 +11,7 @@
 
 namespace ogive {
 
-/// Where the energy of the whole model is, J (symmetric copies included). All but `kinetic` and `elastic` are work done
+/// Parts of the energy of the whole model, J (symmetric copies included). All but `kinetic` and `elastic` are work done
 /// since the start.
 template <class T> struct Energy {
   T kinetic{};   ///< of all nodes

@@ -180,14 +180,14 @@ template <class T, class Bodies> std::optional<Fault> find_lost(const Model<T, B
   return std::nullopt;
 }
 
-/// Where a model was at the start of a run, and how fast.
+/// Position and speed of a model at the start of a run.
 template <class T> struct Start {
   Vec3<T> middle = Vec3<T>::Zero(); ///< m, of the box around all nodes
   T width{};                        ///< m, diagonal of that box
   T speed{};                        ///< m/s, of the fastest node
 };
 
-/// Where the model is now.
+/// Position and speed of the model now.
 template <class T, class Bodies> Start<T> start_of(const Model<T, Bodies> &model) {
   Box<T> box;
   T fastest{};

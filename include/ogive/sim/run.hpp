@@ -17,7 +17,7 @@
 
 namespace ogive {
 
-/// When to stop, observe and check.
+/// End, intervals and limits of a run.
 template <class T> struct RunOptions {
   T end_time{};                ///< s
   T observe_every = T(0.5e-6); ///< s between calls of the observer
@@ -51,12 +51,12 @@ template <class R, class F> void for_each_run_field(R &&run, F &&f) {
   f("last observation", run.observed_at);
 }
 
-/// How a run ended.
+/// Reasons for the end of a run.
 enum class StopReason { end_time, observer, pause, fault };
 
 /// The end of a run.
 struct RunResult {
-  StopReason reason = StopReason::end_time; ///< why it ended
+  StopReason reason = StopReason::end_time; ///< reason for the end
   std::optional<Fault> fault;               ///< set if the reason is a fault
 };
 
@@ -186,7 +186,7 @@ RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, RunState<T>
   return {};
 }
 
-/// The same for a run that nothing pauses.
+/// Runs a model without pauses, as run() with them.
 template <class T, class Bodies, class Observer>
 RunResult run(Model<T, Bodies> &model, const RunOptions<T> &options, Observer &&observer) {
   RunState<T> state;

@@ -39,7 +39,7 @@
 
 namespace ogive {
 
-/// Where the four places of a cluster are, how fast, and how much metal. In single precision: sums over neighbours are
+/// Positions, velocities and volumes of the four places of a cluster. In single precision: sums over neighbours are
 /// exact to about 1e-6 of their largest term, and pairs are equal and opposite.
 struct alignas(64) ClusterMotion {
   /// One number for each place.
@@ -122,7 +122,7 @@ struct SphBody {
 
 /// Whether a type is an SphBody.
 template <class Body> inline constexpr bool is_sph_body = false;
-/// It is one.
+/// True for SphBody.
 template <class T, class Law, class K, class F> inline constexpr bool is_sph_body<SphBody<T, Law, K, F>> = true;
 
 /// A body of particles, constant or not.

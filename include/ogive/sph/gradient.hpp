@@ -112,7 +112,7 @@ template <class Width = SimdWidth> struct GradientSums {
   std::array<Places, 9> gradient; ///< sum of V_j (v_j - v_i) (x) grad W_ij, row first
   std::array<Places, 6> moment;   ///< M = -sum of V_j grad W_ij (x) x_ij: xx, yy, zz, xy, yz, zx
   Places pressure; ///< sum of V_j p_j |grad W_ij|/r with its sign, the particle itself included; optional
-  Places weight;   ///< the same without p_j
+  Places weight;   ///< that sum without p_j
 };
 
 /// Adds the sums of cluster c over its neighbours at its places `at` of the block; marks the groups within the support.

@@ -85,7 +85,7 @@ template <class Kernel, class T> T slope_over_u(T u_squared) {
   return Kernel::slope_over_u(T(squared * inverse_u), inverse_u);
 }
 
-/// The same to 14 bits, for u > 0: pairs are antisymmetric and corrected gradients exact with any kernel.
+/// Slope over u to 14 bits, for u > 0: pairs are antisymmetric and corrected gradients exact with any kernel.
 template <class Kernel, class Width = SimdWidth> Pack<float> rough_slope_over_u(Pack<float> u_squared) {
   const Pack<float> inverse_u = rough_inverse_sqrt(u_squared);
   return Kernel::slope_over_u(Pack<float>(u_squared * inverse_u), inverse_u);

@@ -111,7 +111,7 @@ inline double random_number(std::uint64_t seed, std::uint64_t place) {
   return std::ldexp(static_cast<double>(z >> 11), -53);
 }
 
-/// How far a disturbed particle may lie from its place on the lattice along each axis, over the particle distance.
+/// Largest distance of a disturbed particle from its place on the lattice along each axis, over the particle distance.
 inline constexpr double largest_disturbance = 0.05;
 
 /// Another arrangement of the same disc, for what depends on how its particles lie: a whole disc is turned about its
