@@ -25,6 +25,28 @@ Options coarse(std::vector<const char *> arguments) {
 
 } // namespace
 
+TEST_CASE("the projectile is one of the paper's, scaled with its diameter, unless lengths are given") {
+  const auto shape = [](const std::vector<const char *> &arguments) { return shot::shape_of(options_of(arguments)); };
+  for (const ogive::Nose nose : ogive::all_noses) {
+    // These have no sizes but those of their points or nodes.
+    if (nose == ogive::Nose::profile || nose == ogive::Nose::mesh) continue;
+    const std::string name(ogive::name(nose));
+    const auto paper = ogive::default_projectile<double>(nose), own = shape({"--nose", name.c_str()}),
+               small = shape({"--nose", name.c_str(), "--diameter-mm", "5"});
+    CHECK(own.shank_length == paper.shank_length); // to the last bit
+    CHECK(own.nose_length == paper.nose_length);
+    CHECK(own.tip_diameter == paper.tip_diameter);
+    CHECK(ogive::volume(small) == Approx(ogive::volume(paper) / 64));
+    CHECK_NOTHROW(ogive::check(small));
+  }
+  const auto ogive = shape({"--nose", "ogival", "--calibre-radius-head", "3", "--length-mm", "100"});
+  CHECK(ogive::ogive_radius(ogive) == Approx(3 * 20e-3));
+  CHECK(ogive::length(ogive) == Approx(100e-3));
+  const auto cone = shape({"--nose", "conical", "--nose-length-mm", "17.3", "--diameter-mm", "10"});
+  CHECK(cone.nose_length == Approx(17.3e-3));
+  CHECK(cone.shank_length == Approx(34e-3));
+}
+
 TEST_CASE("a projectile by name is the one of the library") {
   for (const auto &p : ogive::library::all_projectiles<double>()) {
     CAPTURE(p.name);
