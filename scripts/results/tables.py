@@ -101,7 +101,7 @@ LIMITS = "--limit --model mjc --spacing-mm 0.6"
 REPEATS = Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1")
 SHARP = Sweep("sharp", "sharp", "--limit --model mjc --spacing-mm 1 --method stabilised")
 OPEN = tuple(Sweep(name, name, "--limit --method stabilised") for name in ("open", "apm2"))
-OBLIQUE = Sweep("oblique", "oblique", "--method stabilised --material examples/aa6061_t651.toml --nose ogival --diameter-mm 12.9 "
+OBLIQUE = Sweep("oblique", "oblique", "--method stabilised --material examples/aa6061_t651_jc.toml --nose ogival --diameter-mm 12.9 "
                 "--length-mm 88.9 --calibre-radius-head 3 --tip-diameter-mm 0.6 --mass-g 81 --thickness-mm 26.3 "
                 "--obliquity-deg 30 --extent half --spacing-mm 1 --sph-radius-mm 26 --clamp-radius-mm 150",
                 "12.9 mm ogive at 30 degrees on 26.3 mm AA6061-T651")

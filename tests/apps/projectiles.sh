@@ -39,7 +39,7 @@ require_verdict() {
   [ "$(number "$1" verdict)" = "\"$2\"" ] || fail "$1: $(number "$1" verdict) instead of $2"
 }
 
-plate=(--material "$examples/aa6061_t651.toml" --clamp-radius-mm 60)
+plate=(--material "$examples/aa6061_t651_jc.toml" --clamp-radius-mm 60)
 core=(--projectile apm2_762_core --thickness-mm 25.4 --spacing-mm 1.2 --sph-radius-mm 10)
 fsp=(--projectile fsp_20mm --thickness-mm 12.7 --spacing-mm 2.5 --sph-radius-mm 18)
 

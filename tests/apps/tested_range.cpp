@@ -30,7 +30,7 @@ TEST_CASE("what lies outside of the tested range is named, in one line") {
   CHECK(outside({"--projectile", "sphere"}) == begin + "nose sphere");
   CHECK(outside({"--length-mm", "30", "--bore-radius-mm", "5", "--bore-depth-mm", "20"}) ==
         begin + "a hollow projectile");
-  CHECK(outside({"--material", "aa6061_t651", "--nose", "conical"}) == begin + "metal aa6061_t651 of another source");
+  CHECK(outside({"--material", "aa6061_t651", "--nose", "conical"}) == begin + "metal aa6061_t651");
   CHECK(outside({"--obliquity-deg", "40", "--pitch-deg", "2", "--extent", "half", "--sph-radius-mm", "40"}) ==
         begin + "obliquity_deg (tests: 0 to 30); pitch or yaw (tests: none)");
   CHECK(outside({"--layers-mm", "6,6", "--layer-materials", "steel_4340,steel_4340", "--damage", "none"}) ==

@@ -568,7 +568,7 @@ class Tables(unittest.TestCase):
         self.leave_limits("sharp", "material,nose,thickness_mm,spacing_mm,bisection_limit_mps",
                           "aa5083_h116,conical,15,1,211.5")
         self.leave_limits("open", "material,projectile,thickness_mm,sph_radius_mm,clamp_radius_mm,spacing_mm,bisection_limit_mps",
-                          "/a/b/aa6061_t651.toml,fsp_20mm,12.7,24,150,1,204.9")
+                          "/a/b/aa6061_t651_jc.toml,fsp_20mm,12.7,24,150,1,204.9")
         self.assertEqual(self.table("accuracy")[-3:], [
             "| blunt, 6 to 20 mm Weldox 460 E | 1 | -4.0 % | -4.0 % | chosen on |",
             "| cone, 15 to 25 mm AA5083-H116 | 1 | -2.4 % | -2.4 % | known |",
@@ -686,7 +686,7 @@ class Gallery(unittest.TestCase):
                            '98.7, "plug_mass_g": 12.3, "test_residual_velocity_mps": null, "particles": 9, "cpu_s": 1.25, '
                            '"version": "0.1.0"}\' > "$2/summary.json"\n')
         program.chmod(0o755)
-        one = {"name": "one", "text": "One", "material": "../../examples/aa6061_t651.toml", "rigid": "true", "nose": "",
+        one = {"name": "one", "text": "One", "material": "../../examples/aa6061_t651_jc.toml", "rigid": "true", "nose": "",
                "velocity_mps": "200", "spacing_mm": "1.2"}
         with (mock.patch.object(gallery, "cases", lambda: [one]), mock.patch.object(gallery, "ROWS", self.folder / "rows.csv"),
               mock.patch.object(gallery, "PICTURES", self.folder / "pictures"),
@@ -697,7 +697,7 @@ class Gallery(unittest.TestCase):
             self.assertEqual({}, gallery.kept())
         self.assertIn("| ![One](gallery/one.png) | One | 200 m/s before the plate, 99 m/s behind it; plug of 12.3 g | 1.2 | 9 | 1.2 |",
                       text)
-        self.assertIn(f"ogive shoot --material examples/aa6061_t651.toml --rigid --velocity-mps 200 --spacing-mm 1.2 --out "
+        self.assertIn(f"ogive shoot --material examples/aa6061_t651_jc.toml --rigid --velocity-mps 200 --spacing-mm 1.2 --out "
                       f"{self.folder}/shots/one\n", text)
 
 
