@@ -7,8 +7,8 @@
 #include <tuple>
 
 /// \file
-/// The subcommands of ogive. Each returns its exit status and throws SetupError for wrong input, before anything is run
-/// or overwritten, and WriteError.
+/// The subcommands of ogive. Each returns its exit status, options::only_printed after help. Each throws SetupError for
+/// wrong input, before anything is run or overwritten, and WriteError.
 
 namespace commands {
 

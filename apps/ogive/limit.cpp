@@ -185,7 +185,7 @@ int limit(const options::Arguments &arguments) {
       .more = exit_statuses,
       .config = true};
   const auto line = options::read_values(command, table, arguments, std::cout);
-  if (!line) return options::success;
+  if (!line) return options::only_printed;
 
   shot::Options o = shot::settled(shot::levels_of(*line));
   if (o.out == shot::default_out(o)) {

@@ -42,7 +42,7 @@ int run(const options::Arguments &arguments, std::string &name) {
   const bool helps = first == "--help" || first == "-h", completes = first == "completion";
   if (helps || completes || first == "--version") {
     std::cout << (helps ? help() : completes ? bash_completion() : std::string("ogive ") + ogive::version + "\n");
-    return options::success;
+    return options::only_printed;
   }
   std::vector<std::string> names{"completion"};
   for (const Subcommand &one : subcommands()) {

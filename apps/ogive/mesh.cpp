@@ -27,7 +27,7 @@ int mesh(const options::Arguments &arguments) {
       .config = true};
   shot::Options defaults; // which the help reads
   const auto line = options::read_command_line(command, shot::table_of(defaults), arguments, std::cout);
-  if (!line) return options::success;
+  if (!line) return options::only_printed;
   shot::Options o = shot::settled(shot::levels_of(*line));
   if (o.out == shot::default_out(o)) o.out += "_mesh";
   shot::use_threads(o);

@@ -16,9 +16,9 @@ int projectiles(const options::Arguments &arguments) {
                                  .purpose = "Lists the projectiles for --projectile with their sizes and sources.\n",
                                  .usage = "",
                                  .examples = "  ogive projectiles\n"};
-  if (!options::read_values(command, table, arguments, std::cout)) return options::success;
+  if (!options::read_values(command, table, arguments, std::cout)) return options::only_printed;
   std::cout << shot::projectile_list();
-  return options::success;
+  return options::only_printed;
 }
 
 } // namespace commands

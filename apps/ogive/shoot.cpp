@@ -121,7 +121,7 @@ std::optional<ShootCommand> parse_shoot(const options::Arguments &arguments, std
 
 int shoot(const options::Arguments &arguments) {
   const auto command = parse_shoot(arguments, std::cout);
-  if (!command) return options::success;
+  if (!command) return options::only_printed;
   shot::Outcome outcome;
   {
     const shot::SignalCatcher catcher;

@@ -122,7 +122,7 @@ int sweep(const options::Arguments &arguments) {
       .config = true,
       .positional = "cases"};
   const auto line = options::read_values(command, table, arguments, std::cout);
-  if (!line) return options::success;
+  if (!line) return options::only_printed;
   if (line->find("out") == nullptr) throw ogive::SetupError("--out: is required: the folder of the study");
   if (!s.cases && s.vary.empty()) throw ogive::SetupError("CASES.csv, --vary: one of them is required");
 

@@ -65,7 +65,7 @@ int view(const options::Arguments &arguments) {
                   "  ogive view vtk_out/my_case --fields plastic_strain,temperature_K --frames 40 --out strain.html\n",
       .more = "Exit status: 0 done; 2 wrong input; 3 the page could not be written; 1 anything else.\n",
       .positional = "result"};
-  if (!read_values(command, table, arguments, std::cout)) return options::success;
+  if (!read_values(command, table, arguments, std::cout)) return options::only_printed;
   if (o.result.size() != 1)
     throw ogive::SetupError("RESULT: one is required: a folder with a .pvd file, or a .pvd file");
   const auto pvd = find_pvd(o.result.front(), "RESULT");

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <iostream>
 #include <new>
+#include <poll.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -22,14 +23,26 @@ void outlive_output() {
     if (::fcntl(standard, F_GETFD) < 0 && errno == EBADF) ::open("/dev/null", O_RDONLY);
 }
 
+namespace {
+
+/// True if standard output is a pipe or a socket without a reader. errno does not show it when an earlier write failed.
+bool reader_has_left() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
+}
+
+} // namespace
+
 int status_of_output(const std::string &program, int status) {
+  const int ended = status == only_printed ? success : status;
   errno = 0;
   std::cout.flush();
   const bool flushed = std::fflush(stdout) == 0;
   const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
-  if (flushed && std::ferror(stdout) == 0 && std::cout) return status;
+  if (flushed && std::ferror(stdout) == 0 && std::cout) return ended;
+  if (status == only_printed && reader_has_left()) return success;
   std::fprintf(stderr, "%s: error: standard output could not be written%s\n", program.c_str(), reason.c_str());
-  return status == success ? not_finished : status;
+  return ended == success ? not_finished : ended;
 }
 
 int run_main(const std::string &program, const std::function<int()> &run) {

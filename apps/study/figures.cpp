@@ -105,7 +105,7 @@ int run(const Figures &figures, const options::Arguments &arguments) {
                                    "resumes from its checkpoint.\n",
       .usage = "[options]"};
   const auto line = options::read_values(command, table, arguments, std::cout);
-  if (!line) return options::success;
+  if (!line) return options::only_printed;
   if (o.quick && line->find("spacing_mm") == nullptr) o.spacing_mm = 1.5;
   if (o.quick && line->find("out") == nullptr) o.out = "vtk_out/figures_quick";
 

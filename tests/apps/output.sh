@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # output.sh <ogive> <folder>: a shot whose output has no reader, no room or no place runs to its end and writes its files;
-# the status shows what could not be printed. Works in the folder.
+# the status shows what could not be printed. A command that only prints may lose its reader. Works in the folder.
 set -euo pipefail
 
 ogive=$1
@@ -64,6 +64,25 @@ status=0
 require_status "$status" closed.err ".*"
 require_whole closed
 grep -rq 'residual velocity' closed && fail "a file took what was printed"
+
+# A pipe whose reader has left: it has seen enough of a list or a help.
+mkfifo gone
+exec 3<>gone 4>gone 3<&-
+for command in --help --version completion projectiles materials "materials show lead" "shoot --help-all"; do
+  status=0
+  # shellcheck disable=SC2086 # words of a command
+  "$ogive" $command >&4 2> printed.err || status=$?
+  [ "$status" -eq 0 ] && [ ! -s printed.err ] || fail "$command: status $status without a reader: $(cat printed.err)"
+  status=0
+  # shellcheck disable=SC2086
+  "$ogive" $command > /dev/full 2> printed.err || status=$?
+  require_status "$status" printed.err ".*"
+done
+status=0
+"$ogive" materials from-tensile --yield-mpa 276 --uts-mpa 310 --young-gpa 68.9 --out alloy.toml >&4 2> alloy.err || status=$?
+require_status "$status" alloy.err ".*"
+[ -s alloy.toml ] || fail "alloy.toml is missing"
+exec 4>&-
 
 hash() { grep state_hash "$1/summary.json"; }
 for folder in full unread both closed; do

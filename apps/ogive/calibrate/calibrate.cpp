@@ -12,7 +12,7 @@ options::Table calibrate_table() { return unbound(calibrate::table_of); }
 
 int calibrate(const options::Arguments &arguments) {
   const auto o = calibrate::parse(arguments, std::cout);
-  if (!o) return options::success;
+  if (!o) return options::only_printed;
   std::vector<std::string> messages;
   auto curves = calibrate::read_tables(*o, messages);
   // Tables and pictures of all curves are smaller.

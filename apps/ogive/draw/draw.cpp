@@ -88,7 +88,7 @@ int draw(const options::Arguments &arguments) {
   Options o;
   const Table table = table_of(o);
   const auto line = read_values(command, table, arguments, std::cout);
-  if (!line) return options::success;
+  if (!line) return options::only_printed;
   const Figure &figure = figure_of(table, o, *line);
   check(o);
   figure.draw(o);

@@ -126,7 +126,7 @@ options::Table materials_table() { return unbound(metals::table_of); }
 
 int materials(const options::Arguments &arguments) {
   const auto o = metals::parse(arguments);
-  if (!o) return options::success;
+  if (!o) return options::only_printed;
   switch (o->action) {
   case metals::Action::list:
     std::cout << library::library_list();
@@ -144,7 +144,7 @@ int materials(const options::Arguments &arguments) {
     from_tensile(*o);
     break;
   }
-  return options::success;
+  return o->out.empty() && o->plot.empty() ? options::only_printed : options::success;
 }
 
 } // namespace commands
