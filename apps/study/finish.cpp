@@ -60,7 +60,9 @@ int run_study(const char *program, const Study &study, bool runs, const std::fun
     const StudyLock lock = lock_study(study);
     const shot::SignalCatcher catcher;
     all = run(say);
-    say(options::printed("%d shots run, %d known before, %zu failed", all.run, all.known, all.failed.size()));
+    const std::string known = all.known == 0 ? "" : options::printed("%d known before, ", all.known);
+    say(options::printed("%d shot%s run, %s%zu failed", all.run, all.run == 1 ? "" : "s", known.c_str(),
+                         all.failed.size()));
     for (const std::string &line : all.failed) std::fprintf(stderr, "%s: failed: %s\n", program, line.c_str());
   }
   if (all.stopped_by != 0) {
