@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "film.hpp"
 
-#include "frame_facts.hpp"
 #include "options/text.hpp"
 #include "process.hpp"
 
@@ -96,7 +95,7 @@ void render_film(const ogive::StoredSeries &series, const Film &film, const fs::
   const PictureFolder pictures(path);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     ogive::Frame frame = read(numbers[k]);
-    const std::string label = time_text(frame);
+    const std::string label = time_text(frame.time, film.motion);
     render_panel({{std::move(frame), label, film.from}}, pictures.path / options::printed("%05zu.png", k), panel);
   }
   encode(pictures.path, film.frames_per_second, path);

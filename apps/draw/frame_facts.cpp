@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_facts.hpp"
 
-#include "ogive/fem/hex8.hpp"
 #include "options/text.hpp"
-#include "scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,39 +25,12 @@ double low_mm(const std::vector<ogive::Vec3<float>> &positions, double radius_mm
 
 } // namespace
 
-std::optional<double> projectile_velocity(const Frame &frame) {
-  const auto named = [](const auto &all, const char *name) {
-    return std::find_if(all.begin(), all.end(), [&](const auto &one) { return one.name == name; });
-  };
-  double mass = 0, momentum = 0;
-  for (const ogive::HexGrid &grid : frame.grids) {
-    if (!is_of_projectile(grid.name)) continue;
-    const auto velocity = named(grid.point_fields, "velocity_m_per_s");
-    const auto density = named(grid.cell_fields, "density_kg_per_m3");
-    if (velocity == grid.point_fields.end() || density == grid.cell_fields.end() || velocity->components != 3)
-      return std::nullopt;
-    for (std::size_t e = 0; e < grid.hexes.size(); ++e) {
-      ogive::Corners<double> corners;
-      double mean = 0;
-      int c = 0;
-      for (const auto n : grid.hexes[e]) {
-        corners.row(c++) = grid.positions[static_cast<std::size_t>(n)].cast<double>();
-        mean -= velocity->values[3 * static_cast<std::size_t>(n) + 2] / 8.0;
-      }
-      const double m = density->values[e] * ogive::hex_volume(corners);
-      mass += m;
-      momentum += m * mean;
-    }
-  }
-  if (!(mass > 0)) return std::nullopt;
-  return momentum / mass;
-}
-
-std::string time_text(const Frame &frame) {
-  const auto velocity = projectile_velocity(frame);
-  return options::printed("%.0f µs", frame.time * 1e6) +
+std::string time_text(double time, const Motion &motion) {
+  const auto velocity = velocity_at(motion.history, time * 1e6);
+  const std::string part = motion.part.empty() ? "" : " (" + motion.part + ")";
+  return options::printed("%.0f µs", time * 1e6) +
          // A rebound is no "-0".
-         (velocity ? options::printed(", %.0f m/s", std::round(*velocity) + 0.0) : "");
+         (velocity ? options::printed(", %.0f m/s", std::round(*velocity) + 0.0) + part : "");
 }
 
 SeenBox extended(SeenBox box, const Frame &frame) {

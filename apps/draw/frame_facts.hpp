@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "history.hpp"
+
 #include "ogive/io/frame.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 /// \file
-/// What pictures take from a frame besides its parts: the projectile's velocity, the time, and how much there is to
-/// see.
+/// Labels of frames with time and velocity, the visible box of a section, and the frames that are shown.
 
 namespace draw {
 
-/// Mean velocity of the projectile in the direction of flight, weighted by mass, m/s. Nothing if the frame lacks what
-/// it takes.
-std::optional<double> projectile_velocity(const ogive::Frame &frame);
+/// The motion of a shot's projectile, for labels.
+struct Motion {
+  History history{};  ///< empty: the velocity is not known
+  std::string part{}; ///< the part that the velocity is of; empty: the whole projectile
+};
 
-/// "40 µs, 151 m/s", without the velocity where the frame does not give it.
-std::string time_text(const ogive::Frame &frame);
+/// Label of a frame at `time` (s): "40 µs, 151 m/s", "40 µs, 151 m/s (core)", or "40 µs" where the velocity is not
+/// known.
+std::string time_text(double time, const Motion &motion);
 
-/// What is seen of a section, mm; z = 0 is the plate's front face.
+/// Visible box of a section, mm; z = 0 is the plate's front face.
 struct SeenBox {
   double low_mm = -20;   ///< lowest z
   double high_mm = 22;   ///< highest z

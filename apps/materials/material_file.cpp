@@ -264,6 +264,16 @@ Model model_of(const AnyMetal &any) {
 
 std::string name_of(Model model) { return options::name_in(models, model); }
 
+std::string title_of_model(std::string_view name) {
+  constexpr auto titles = options::named<std::string_view>({{"mjc", "modified Johnson-Cook"},
+                                                            {"jc", "Johnson-Cook"},
+                                                            {"voce", "Voce"},
+                                                            {"power_law", "power law"},
+                                                            {"bilinear", "bilinear hardening"}});
+  const std::string title = options::name_in(titles, name);
+  return title.empty() ? std::string(name) : title;
+}
+
 const std::string &name_of(const AnyMetal &any) {
   return std::visit([](const auto &metal) -> const std::string & { return metal.name; }, any);
 }

@@ -48,6 +48,10 @@ Model model_of(const AnyMetal &metal);
 /// The name of a flow law in a file and on the command line.
 std::string name_of(Model model);
 
+/// The name of a flow law in titles, by its name in a file: of "mjc" it is "modified Johnson-Cook". An unknown name is
+/// its own title.
+std::string title_of_model(std::string_view name);
+
 /// The name of the metal.
 const std::string &name_of(const AnyMetal &metal);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results.hpp"
 
-#include "materials/library.hpp"
 #include "options/text.hpp"
 #include "shot/table.hpp"
+#include "shot/title.hpp"
 #include "study/row.hpp"
 
 #include <nlohmann/json.hpp>
@@ -45,22 +45,24 @@ std::optional<ogive::SymmetryPlanes> symmetry_of(const std::optional<ogive::Exte
 
 std::string case_title(const fs::path &folder) {
   try {
-    const auto summary = study::read_summary(folder);
-    const auto text = [&](const char *key) { return summary.at(key).get<std::string>(); };
-    const auto number = [&](const char *key) { return options::shortest(summary.at(key).get<double>()); };
-    const auto *metal = materials::find_library_metal(text("material"));
-    const bool oblique = summary.at("obliquity_deg").get<double>() != 0;
-    std::vector<double> layers_mm;
-    if (summary.contains("layers"))
-      for (const auto &layer : summary["layers"]) layers_mm.push_back(layer.at("thickness_mm").get<double>());
-    return (metal ? std::string(metal->title) : text("material")) + ", " +
-           summary.value("projectile_name", text("nose")) + ", " +
-           (layers_mm.empty() ? number("thickness_mm") : options::joined(layers_mm, " + ")) + " mm, " +
-           number("initial_velocity_mps") + " m/s" + (oblique ? " at " + number("obliquity_deg") + " deg" : "") +
-           ", " + text("method");
+    return shot::title_of(study::read_summary(folder));
   } catch (const std::exception &) {
     return folder_name(folder / "file");
   }
+}
+
+draw::Motion motion_of(const fs::path &folder) {
+  const auto file = folder / "history.csv";
+  std::error_code none;
+  draw::Motion motion;
+  if (!fs::exists(file, none)) return motion;
+  motion.history = draw::read_history(file);
+  try {
+    motion.part = study::read_summary(folder).value("followed_part", "");
+  } catch (const std::exception &) {
+    // A run that was interrupted has no summary.
+  }
+  return motion;
 }
 
 } // namespace commands

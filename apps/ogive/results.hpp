@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "draw/frame_facts.hpp"
 #include "options/table.hpp"
 
 #include "ogive/core/symmetry.hpp"
@@ -26,7 +27,11 @@ void add_extent(options::Table &table, std::optional<ogive::Extent> &extent);
 /// The symmetry of results whose files do not hold it.
 std::optional<ogive::SymmetryPlanes> symmetry_of(const std::optional<ogive::Extent> &extent);
 
-/// The case of a folder with a summary.json, "Weldox 460 E, blunt, 12 mm, 303.5 m/s"; otherwise the folder's name.
+/// The case of a folder with a summary.json, see shot::title_of(); otherwise the folder's name.
 std::string case_title(const std::filesystem::path &folder);
+
+/// The motion of the projectile of a folder with a history.csv; empty without. A summary.json gives the part that it is
+/// of. Throws SetupError for a history that cannot be read.
+draw::Motion motion_of(const std::filesystem::path &folder);
 
 } // namespace commands

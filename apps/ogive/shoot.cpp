@@ -63,6 +63,7 @@ void animate(const std::filesystem::path &film, const shot::Options &o) {
   try {
     draw::Film shown;
     shown.panel.title = case_title(o.out);
+    shown.motion = motion_of(o.out);
     draw::render_film(ogive::read_series(find_pvd(o.out, "--out")), shown, film);
   } catch (const std::exception &error) {
     std::fprintf(stderr, "ogive shoot: left out: %s\n", error.what());

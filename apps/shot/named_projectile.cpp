@@ -112,6 +112,11 @@ bool is_of_projectile(std::string_view key) { return std::find(keys.begin(), key
 
 bool names_projectile(std::string_view value) { return value != "deformable" && value != "rigid"; }
 
+std::string projectile_title(const std::string &name) {
+  const auto projectile = find_projectile(name);
+  return projectile ? projectile->title : name;
+}
+
 std::vector<std::string> projectile_names() {
   std::vector<std::string> names;
   for (const auto &projectile : ogive::library::all_projectiles<double>()) names.push_back(projectile.name);

@@ -19,6 +19,9 @@ bool names_projectile(std::string_view value);
 /// Names of the library's projectiles.
 std::vector<std::string> projectile_names();
 
+/// Title of a projectile of the library, "20 mm fragment simulator"; `name` itself for others.
+std::string projectile_title(const std::string &name);
+
 /// True for a projectile of the library that is more than a nose.
 bool is_library_projectile(std::string_view name);
 

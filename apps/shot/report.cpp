@@ -12,6 +12,7 @@
 #include "plates.hpp"
 #include "projectile.hpp"
 #include "table.hpp"
+#include "title.hpp"
 
 #include <nlohmann/json.hpp>
 #include <omp.h>
@@ -93,10 +94,10 @@ std::string undecided_reason(const Result &s) {
   return options::printed("at %.4g us the projectile moves at %.1f m/s %s", s.simulated_us, last.velocity, what);
 }
 
-/// ", of the part core" of a projectile whose parts touch; else empty.
-std::string followed_text(const Result &s) {
+/// The part that the velocity is of if the parts of the projectile touch; else empty.
+std::string followed_part(const Result &s) {
   for (const PartResult &part : s.parts)
-    if (part.is_followed) return ", of the part " + part.name;
+    if (part.is_followed) return part.name;
   return "";
 }
 
@@ -114,7 +115,8 @@ void add_shape(nlohmann::ordered_json &j, const ogive::PlateShape<double> &shape
   j["most_temperature_K"] = shape.most_temperature;
 }
 
-std::string case_title(const Options &o, const Result &s) {
+/// The case in the names of the options, for the terminal.
+std::string case_line(const Options &o, const Result &s) {
   std::string sizes = options::shortest(o.thickness_mm) + " mm, ";
   if (!o.layers_mm.empty()) sizes = joined(o.layers_mm, " + ") + " mm, ";
   if (target_depth_mm(o) > o.thickness_mm) sizes += joined(o.gaps_mm, ", ") + " mm apart, ";
@@ -136,7 +138,7 @@ std::optional<experiment::Residual> find_test(const Options &o) {
 void announce(const Options &o, const Result &shot) {
   if (o.quiet) return;
   const Sizes &s = shot.sizes;
-  std::printf("%s\n", case_title(o, shot).c_str());
+  std::printf("%s\n", case_line(o, shot).c_str());
   std::printf("  particle distance   %.4f mm (target %g), %ld particles, %ld hexes\n", s.spacing_mm, o.spacing_mm,
               s.particles, s.hexes);
   std::printf("  projectile          %.2f g%s", s.projectile_mass_g, is_of_the_tests(o) ? " (197 g in the tests)" : "");
@@ -261,6 +263,7 @@ void write_summary(const Options &o, const Result &s, const std::optional<experi
 std::string draw(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
   if (!o.picture) return {};
   std::string left_out;
+  const std::string title = title_of(summary_of(o, s, test));
   const auto attempt = [&](auto &&draw_one) {
     try {
       draw_one();
@@ -270,16 +273,18 @@ std::string draw(const Options &o, const Result &s, const std::optional<experime
   };
   attempt([&] {
     const auto picture = o.out / "section.png";
-    const std::string when = options::printed("%.1f µs, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity);
+    const std::string part = followed_part(s);
+    const std::string when = options::printed("%.1f µs, %.1f m/s", s.simulated_us, s.flight.samples.back().velocity) +
+                             (part.empty() ? "" : " (" + part + ")");
     const double low_mm = std::min(-target_depth_mm(o), -s.flight.samples.back().nose * 1e3) - 14;
     // Sharp noses leave petals, which a section cuts through.
     const auto rear = s.flight.sharp ? draw::Rear::shown : draw::Rear::left_out;
     draw::draw_apart(picture, most_drawing_s, [&] {
-      draw::render_section({s.last_frame, when}, case_title(o, s), low_mm, picture, rear);
+      draw::render_section({s.last_frame, when}, title, low_mm, picture, rear);
     });
   });
   attempt([&] {
-    draw::VelocityPlot plot{case_title(o, s), {{o.out / "history.csv"}}};
+    draw::VelocityPlot plot{title, {{o.out / "history.csv"}}};
     if (test && test->residual_mps > 0) plot.measured_residual_m_per_s = test->residual_mps;
     draw::write_velocity_plot(plot, o.out / "velocity.svg");
   });
@@ -288,8 +293,10 @@ std::string draw(const Options &o, const Result &s, const std::optional<experime
 
 void print_table(const Options &o, const Result &s, const std::optional<experiment::Residual> &test) {
   if (const auto residual = residual_mps(s)) {
+    const std::string part = followed_part(s);
     std::printf("\n  %-22s %s\n", "perforated", verdict(s) == Verdict::perforated ? "yes" : "no");
-    std::printf("  %-22s %.1f m/s%s\n", "residual velocity", *residual, followed_text(s).c_str());
+    std::printf("  %-22s %.1f m/s%s\n", "residual velocity", *residual,
+                (part.empty() ? "" : ", of the part " + part).c_str());
   } else {
     std::printf("\n  %-22s undecided: %s\n", "perforated", undecided_reason(s).c_str());
     if (!s.fault)

@@ -6,12 +6,9 @@
 #include "options/given.hpp"
 #include "pack.hpp"
 
-#include "ogive/io/csv_rows.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace view {
 
@@ -58,30 +55,9 @@ std::vector<std::string> fields_of(const Result &result, const ogive::Frame &fra
 
 } // namespace
 
-Velocity read_velocity(const fs::path &history) {
-  const std::string name = history.string(), text = text_of(history, "");
-  Velocity all;
-  std::size_t time = 0, velocity = 0;
-  bool header = true;
-  ogive::for_each_csv_row(text, name, 1000, [&](const ogive::CsvRow &row) {
-    const auto column = [&](const char *wanted) {
-      const auto found = std::find(row.fields.begin(), row.fields.end(), wanted);
-      if (found == row.fields.end()) throw ogive::SetupError(name + ": column " + wanted + " is missing");
-      return static_cast<std::size_t>(found - row.fields.begin());
-    };
-    if (std::exchange(header, false)) {
-      time = column("time_us"), velocity = column("velocity_m_per_s");
-      return;
-    }
-    const auto number = [&](std::size_t k) {
-      const auto value = k < row.fields.size() ? ogive::number_from(row.fields[k]) : std::nullopt;
-      if (!value || !std::isfinite(*value))
-        throw ogive::SetupError(ogive::place(name, row.line) + ": time and velocity must be numbers");
-      return *value;
-    };
-    all.time_us.push_back(number(time)), all.velocity_mps.push_back(number(velocity));
-  });
-  Velocity thinned;
+draw::History read_velocity(const fs::path &history) {
+  const draw::History all = draw::read_history(history);
+  draw::History thinned;
   for (const std::size_t k : draw::shown_frames(all.time_us.size(), 400)) {
     thinned.time_us.push_back(all.time_us[k]);
     thinned.velocity_mps.push_back(all.velocity_mps[k]);

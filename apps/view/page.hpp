@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "draw/history.hpp"
+
 #include "ogive/io/read_frame.hpp"
 
 #include <filesystem>
@@ -13,14 +15,8 @@
 
 namespace view {
 
-/// The projectile's velocity against time.
-struct Velocity {
-  std::vector<double> time_us;
-  std::vector<double> velocity_mps;
-};
-
-/// The columns time_us and velocity_m_per_s of a history.csv, of at most 400 rows at even distances. Throws SetupError.
-Velocity read_velocity(const std::filesystem::path &history);
+/// The history in a history.csv, of at most 400 rows at even distances. Throws SetupError as draw::read_history().
+draw::History read_velocity(const std::filesystem::path &history);
 
 /// Contents of a page.
 struct Result {
@@ -29,7 +25,7 @@ struct Result {
   std::optional<ogive::SymmetryPlanes> symmetry; ///< of files that do not hold it
   std::vector<std::string> fields;               ///< empty: those of default_fields() that all parts have
   int most_frames = 20;                          ///< of a longer series some are left out, at even distances
-  Velocity velocity;                             ///< may be empty
+  draw::History velocity;                        ///< may be empty
 };
 
 /// The default fields of a page.

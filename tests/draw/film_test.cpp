@@ -129,7 +129,17 @@ TEST_CASE("the box of a picture reaches below the projectile") {
   CHECK(box.low_mm <= -34);
   CHECK(box.low_mm >= -52);
   CHECK(extended({.low_mm = -100}, frame).low_mm == -100);
-  CHECK(time_text(frame) == "60 µs");
+}
+
+TEST_CASE("a label has the velocity of the history at its time, and the part that it is of") {
+  const History history{{0, 10, 20}, {300, 200, -0.2}};
+  CHECK(time_text(60e-6, {}) == "60 µs");
+  CHECK(time_text(5e-6, {history, ""}) == "5 µs, 250 m/s");
+  CHECK(time_text(20e-6, {history, "core"}) == "20 µs, 0 m/s (core)");
+  CHECK(velocity_at(history, -1) == 300);
+  CHECK(velocity_at(history, 10) == 200);
+  CHECK(velocity_at(history, 21) == -0.2);
+  CHECK(velocity_at({}, 0) == std::nullopt);
 }
 
 TEST_CASE("a program has an exit status and a time limit") {

@@ -2,7 +2,6 @@
 #include "compare.hpp"
 
 #include "../results.hpp"
-#include "draw/frame_facts.hpp"
 #include "draw/plot.hpp"
 #include "draw/section.hpp"
 #include "options/out_folder.hpp"
@@ -128,7 +127,7 @@ void draw_last_frames(const Options &o, const std::vector<std::string> &names) {
     const auto series = ogive::read_series(find_pvd(o.compare[k], "--compare"));
     auto frame = ogive::read_frame(series, series.frames.size() - 1, symmetry_of(o.extent));
     box = draw::extended(box, frame);
-    const std::string label = names[k] + ": " + draw::time_text(frame);
+    const std::string label = names[k] + ": " + draw::time_text(frame.time, motion_of(series.pvd.parent_path()));
     cells.push_back({std::move(frame), label});
   }
   draw::SectionPanel panel{.title = o.title, .low_mm = box.low_mm, .high_mm = box.high_mm, .radius_mm = box.radius_mm};

@@ -3,7 +3,6 @@
 
 #include "../results.hpp"
 #include "draw/film.hpp"
-#include "draw/frame_facts.hpp"
 #include "options/text.hpp"
 
 #include "ogive/io/read_frame.hpp"
@@ -35,13 +34,14 @@ std::vector<draw::PanelCell> read_cells(const Options &o) {
   std::vector<draw::PanelCell> cells;
   for (const auto &given : o.series) {
     const auto series = ogive::read_series(find_pvd(given, "--series"));
+    const auto motion = motion_of(series.pvd.parent_path());
     std::vector<std::size_t> numbers;
     for (const double time_us : o.times_us) numbers.push_back(frame_at(series, time_us));
     for (const std::size_t k : numbers) {
       const std::size_t n = cells.size();
       auto &cell = cells.emplace_back(draw::PanelCell{ogive::read_frame(series, k, symmetry_of(o.extent)), "", o.from});
       const std::string name = o.series.size() > 1 ? folder_name(series.pvd) + ", " : "";
-      cell.label = o.label.empty() ? letter(n) + name + draw::time_text(cell.frame) : o.label[n];
+      cell.label = o.label.empty() ? letter(n) + name + draw::time_text(cell.frame.time, motion) : o.label[n];
     }
   }
   return cells;
@@ -101,6 +101,7 @@ void draw_film(const Options &o) {
   draw::Film film;
   choose(film.panel, o);
   if (o.title.empty()) film.panel.title = case_title(pvd.parent_path());
+  film.motion = motion_of(pvd.parent_path());
   see(film.panel, first_box(o));
   film.fits = fits(o);
   film.from = o.from;

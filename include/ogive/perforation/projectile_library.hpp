@@ -19,6 +19,7 @@ namespace ogive {
 /// A projectile: shape, mass and metal.
 template <class T> struct Projectile {
   std::string name;                       ///< as users write it
+  std::string title;                      ///< in titles of pictures
   std::string source;                     ///< of the dimensions, with how far they can be trusted
   ProjectileShape<T> shape;               ///< SI units
   T mass{};                               ///< of the whole projectile, kg; 0: by the density of its metal
@@ -34,6 +35,7 @@ namespace library {
 template <class T> Projectile<T> tool_steel_projectile(Nose nose) {
   const bool of_paper = nose == Nose::blunt || nose == Nose::conical || nose == Nose::ogival;
   return {std::string(name(nose)),
+          std::string(name(nose)),
           of_paper ? "Liu et al. 2012, Fig. 4" : "ours: the diameter of the paper's",
           default_projectile<T>(nose),
           T(0),
@@ -50,6 +52,7 @@ template <class T> Projectile<T> apm2_762_core() {
   s.tip_diameter = T(0.3e-3);
   s.shank_length = T(27.6e-3) - nose_height(s);
   return {"apm2_762_core",
+          "core of the 7.62 mm APM2",
           "quoted: diameter, length, mass and ogive; assumption: flat of 0.3 mm at the tip",
           s,
           T(5.25e-3),
@@ -82,6 +85,7 @@ template <class T> Projectile<T> apm2_762() {
   s.inner = {ogive_profile(core_front, core_rear, T(0.5 * 6.17e-3), T(0.15e-3), T(3)),
              ogive_profile(T(3.5e-3), core_rear, T(3.35e-3), T(0.6e-3), T(7))};
   return {"apm2_762",
+          "7.62 mm APM2",
           "quoted: core, mass of the whole; from memory: diameter of 7.82 mm, length of 34.8 mm; assumption: thickness "
           "of jacket and lead, ogive of the jacket, no boat tail, parts share nodes",
           s,
@@ -93,19 +97,20 @@ template <class T> Projectile<T> apm2_762() {
 
 /// A fragment simulator: a cylinder of this diameter (m) and mass (kg) with a chisel nose, two flats at 35 degrees from
 /// the front with a flat of this width (m) between them. Its length is the one that gives the mass at 7850 kg/m3.
-template <class T> Projectile<T> fragment_simulator(std::string name, std::string source, T diameter, T mass, T width) {
+template <class T>
+Projectile<T> fragment_simulator(std::string name, std::string title, std::string source, T diameter, T mass, T width) {
   const auto metal = fsp_steel<T>();
   ProjectileShape<T> s{Nose::chisel, diameter};
   s.tip_diameter = width;
   s.nose_length = T(0.5) * (diameter - width) * std::tan(T(35) / T(180) * std::numbers::pi_v<T>);
   const T section = std::numbers::pi_v<T> / T(4) * diameter * diameter;
   s.shank_length = (mass / metal.density - chisel_volume(s)) / section;
-  return {std::move(name), std::move(source), s, mass, false, with_law<AnyFlowLaw<T>>(metal)};
+  return {std::move(name), std::move(title), std::move(source), s, mass, false, with_law<AnyFlowLaw<T>>(metal)};
 }
 
 /// The 20 mm fragment simulator: 19.9 mm, 53.78 g.
 template <class T> Projectile<T> fsp_20mm() {
-  return fragment_simulator<T>("fsp_20mm",
+  return fragment_simulator<T>("fsp_20mm", "20 mm fragment simulator",
                                "quoted: diameter, mass; from memory: flats of 35 degrees, 9 mm between them",
                                T(19.9e-3), T(53.78e-3), T(9e-3));
 }
@@ -113,7 +118,7 @@ template <class T> Projectile<T> fsp_20mm() {
 /// The 12.7 mm (.50 calibre) fragment simulator: 12.57 mm, 13.41 g.
 template <class T> Projectile<T> fsp_127mm() {
   return fragment_simulator<T>(
-      "fsp_127mm",
+      "fsp_127mm", "12.7 mm fragment simulator",
       "from memory: diameter, mass, flats of 35 degrees; assumption: 5.7 mm between them, as the 20 mm one",
       T(12.57e-3), T(13.41e-3), T(5.7e-3));
 }
