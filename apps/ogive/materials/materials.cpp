@@ -54,7 +54,7 @@ void show(const metals::Options &o, const std::string &name) {
   }
   const library::LibraryMetal *entry = library::find_library_metal(name);
   const std::string title = entry == nullptr ? options::printable(library::name_of(metal)) : std::string(entry->title);
-  metals::draw_metal(metal, title + ", model " + library::name_of(library::model_of(metal)), o.plot);
+  metals::draw_metal(metal, title + ", " + library::title_of_model(library::name_of(library::model_of(metal))), o.plot);
   std::cout << "wrote " << o.plot.string() << "\n";
 }
 
