@@ -40,11 +40,14 @@ options::Table table_of(shot::Options &o, LimitOptions &l) {
       .meaning = "largest width of the bracket of the limit", .source = "ours",
       .brief = "width of the bracket of the limit", .limits = {0.1, 500, "m/s"}, .in_file = false});
   options::add(t, l.repeats, {.key = "repeats",
-      .meaning = "searches, the first with --seed, the next with that and 1 more each; gives mean, standard deviation "
-      "and 90 % interval", .source = "ours", .brief = "searches with other arrangements of the particles",
+      .meaning = "number of searches, each with another arrangement of the particles: --seed, --seed + 1 and so on; "
+      "gives mean, standard deviation and 90 % interval", .source = "ours",
+      .brief = "searches with different arrangements of the particles",
       .limits = {1, 1000, ""}, .in_file = false});
   options::add(t, l.check, {.key = "check",
-      .meaning = "a prediction.json that this command wrote earlier for the same case: whether the limit is confirmed",
+      .meaning = "compare the limit with a prediction.json of an earlier search for the same case; status 3 if it is "
+      "not "
+      "confirmed",
       .source = "none", .in_file = false}).placeholder = "FILE.json";
   return t;
 }
@@ -175,9 +178,8 @@ int limit(const options::Arguments &arguments) {
   const options::Table table = table_of(defaults, l);
   const options::Command command{
       .name = "ogive limit",
-      .purpose =
-          "Finds the ballistic limit of a case by bisection, fires further shots above it, prints and draws the\n"
-          "fitted curve of the residual velocity. The same command resumes. It begins at --velocity-mps.\n",
+      .purpose = "Finds the ballistic limit of a case by bisection from --velocity-mps, runs further shots above it,\n"
+                 "prints and draws the fitted curve of the residual velocity. The same command resumes.\n",
       .usage = "[options]",
       .examples = "  ogive limit --thickness-mm 8 --spacing-mm 1\n"
                   "  ogive limit --material aa5083_h116 --nose conical --thickness-mm 15 --width-mps 2\n"

@@ -12,14 +12,14 @@ namespace commands {
 
 const std::vector<Subcommand> &subcommands() {
   static const std::vector<Subcommand> all{
-      {"shoot", "shoot at a plate: residual velocity, pictures, files for ParaView", shoot, shoot_table},
+      {"shoot", "compute a shot: residual velocity, pictures, files for ParaView", shoot, shoot_table},
       {"limit", "find a ballistic limit and the curve of the residual velocity", limit, limit_table},
       {"sweep", "run a list of shots or limits, resumable, several at a time", sweep, sweep_table},
       {"mesh", "write the model of a shot for ParaView, print its mesh quality", mesh, mesh_table},
       {"calibrate", "fit a metal's flow law to tensile curves", calibrate, calibrate_table},
       {"draw", "draw sections and curves of results", draw, draw_table, false},
-      {"view", "write a result as a page to turn in the browser", view, view_table, false},
-      {"materials", "list, show or check metals", materials, materials_table, false},
+      {"view", "write a result as an interactive page for the browser", view, view_table, false},
+      {"materials", "list, show, check, import or make metals", materials, materials_table, false},
       {"projectiles", "list the projectiles with their sizes and sources", projectiles, projectiles_table, false}};
   return all;
 }

@@ -32,7 +32,8 @@ fs::path find_pvd(const fs::path &given, const char *flag) {
 
 void add_extent(options::Table &table, std::optional<ogive::Extent> &extent) {
   const options::Entry entry{.key = "extent",
-                             .meaning = "of results whose files lack it: quarter, half or full",
+                             .meaning = "computed part of the model, for results whose files lack it: quarter, half "
+                                        "or full",
                              .allowed = "one of quarter, half, full"};
   add_option(table, entry, options::Kind::choice, "NAME").assign = [&extent](const options::Given &given) {
     extent = choice_given(given, choices(ogive::Extent{}));

@@ -40,7 +40,7 @@ options::Table table_of(shot::Options &o, General &general) {
       .brief = "resume from the checkpoint of an interrupted run", .allowed = "the name of a checkpoint file",
       .in_file = false}).placeholder = "FILE";
   options::add(t, general.resume, {.key = "resume", .meaning = "resume from the checkpoint.bin in the folder for "
-      "the results, if an interrupted run of this very case left one there; else begin", .source = "no: ours",
+      "the results if it is of an interrupted run of the same case; else begin", .source = "no: ours",
       .in_file = false});
   options::add(t, general.animate, {.key = "animate", .meaning = "draw a film of the run's section; needs ffmpeg",
       .source = "none: ogive draw --animate draws it later", .allowed = draw::film_names,
@@ -77,10 +77,9 @@ options::Table shoot_table() { return unbound(table_of); }
 std::optional<ShootCommand> parse_shoot(const options::Arguments &arguments, std::ostream &text) {
   const options::Command command{
       .name = "ogive shoot",
-      .purpose =
-          "A projectile strikes a clamped metal plate. Prints the residual velocity and writes frames for\n"
-          "ParaView, pictures, summary.json and case.toml. \"paper\" is Liu, Swaddiwudhipong & Islam, Nucl. Eng.\n"
-          "Des. 250 (2012) 108-115; \"tests\" are those that it compares with.\n",
+      .purpose = "Computes the impact of a projectile on a clamped metal plate. Prints the residual velocity and\n"
+                 "writes frames for ParaView, pictures, summary.json and case.toml. \"paper\" is Liu, Swaddiwudhipong\n"
+                 "& Islam, Nucl. Eng. Des. 250 (2012) 108-115; \"tests\" are the experiments that it compares with.\n",
       .usage = "[options]",
       .examples = "  ogive shoot --material aa5083_h116 --nose conical --thickness-mm 15 --velocity-mps 250\n"
                   "  ogive shoot --material my_steel.toml --thickness-mm 10 --method stabilised\n"

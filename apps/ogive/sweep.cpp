@@ -35,10 +35,11 @@ options::Table table_of(shot::Options &o, SweepOptions &s) {
       .allowed = "the name of a CSV file", .in_file = false}).placeholder = "CASES.csv";
   options::add(t, s.vary, {.key = "vary",
       .meaning = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP: every case with each of these values; several "
-      "multiply", .source = "none: ours", .brief = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP; several multiply",
+      "--vary give all combinations", .source = "none: ours",
+      .brief = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP, may be repeated",
       .allowed = "NAME=VALUE,VALUE,... or NAME=FIRST:LAST:STEP", .in_file = false}).placeholder = "NAME=LIST...";
   options::add(t, s.limit, {.key = "limit", .meaning = "find the ballistic limit of each case instead of one shot",
-      .source = "no: ours", .brief = "the ballistic limit of each case instead of one shot", .in_file = false});
+      .source = "no: ours", .brief = "find the ballistic limit of each case instead of one shot", .in_file = false});
   options::add(t, s.width_mps, {.key = "width_mps",
       .meaning = "largest width of the bracket of a limit", .source = "ours",
       .limits = {0.1, 500, "m/s"}, .in_file = false});
@@ -113,7 +114,7 @@ int sweep(const options::Arguments &arguments) {
       .name = "ogive sweep",
       .purpose = "Runs the cases of a list, or every combination of varied options, several at a time; with --limit\n"
                  "their ballistic limits. Ends with a table, OUT/shots.csv and a plot. Cases that have a row are not\n"
-                 "run again; the same command resumes. Options of ogive shoot hold for all cases.\n",
+                 "run again; the same command resumes. Options of ogive shoot apply to all cases.\n",
       .usage = "[CASES.csv] [--vary NAME=LIST]... --out FOLDER [options]",
       .examples = "  ogive sweep --vary thickness_mm=6,8,10 --vary velocity_mps=200:400:25 --out thickness\n"
                   "  ogive sweep my_cases.csv --spacing-mm 1 --out my_study\n"

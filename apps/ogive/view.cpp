@@ -21,7 +21,7 @@ struct ViewOptions {
   std::vector<fs::path> result; ///< a folder with a .pvd file, or that file; exactly one
   fs::path out;
   std::string title;
-  std::string fields; ///< names with commas between them; empty: the usual ones
+  std::string fields; ///< names with commas between them; empty: the default ones
   int frames = 20;
   std::optional<ogive::Extent> extent;
   fs::path three_js = "/usr/share/javascript/three";
@@ -32,12 +32,13 @@ options::Table table_of(ViewOptions &o) {
   options::Table t;
   add(t, o.result, {.key = "result", .meaning = "result of ogive shoot or mesh", .brief = "result of ogive shoot or mesh",
       .allowed = "a folder with a .pvd file, or a .pvd file", .in_file = false}).placeholder = "FOLDER|FILE.pvd";
-  add(t, o.out, {.key = "out", .meaning = "the page", .source = "view.html beside the result: ours",
-      .brief = "the page"}).placeholder = "FILE.html";
-  add(t, o.title, {.key = "title", .meaning = "above the page", .source = "of summary.json, or the folder's name: ours",
-      .brief = "above the page"});
-  add(t, o.frames, {.key = "frames", .meaning = "most times; of a longer series some are left out, at even distances",
-      .source = "ours", .brief = "most times in the page", .limits = {1, 1000}});
+  add(t, o.out, {.key = "out", .meaning = "file of the page", .source = "view.html beside the result: ours",
+      .brief = "file of the page"}).placeholder = "FILE.html";
+  add(t, o.title, {.key = "title", .meaning = "title above the page", .source = "the case, or the folder's name: ours",
+      .brief = "title above the page"});
+  add(t, o.frames, {.key = "frames",
+      .meaning = "largest number of frames; of a longer series evenly spaced ones are taken",
+      .source = "ours", .brief = "largest number of frames in the page", .limits = {1, 1000}});
   add(t, o.fields, {.key = "fields", .meaning = "fields to choose from; speed_m_per_s is the magnitude of the velocity",
       .source = "plastic_strain, temperature_K, von_mises_MPa, pressure_MPa, damage, speed_m_per_s: ours",
       .brief = "fields to choose from"}).placeholder = "NAME,NAME,...";
@@ -58,8 +59,8 @@ int view(const options::Arguments &arguments) {
   const options::Table table = table_of(o);
   const options::Command command{
       .name = "ogive view",
-      .purpose = "Writes a result as one HTML file that any browser opens from disk: the model in three dimensions,\n"
-                 "its fields, a cut, the time and the velocity. It needs no network.\n",
+      .purpose = "Writes a result as one interactive HTML file that any browser opens from disk: the model in three\n"
+                 "dimensions with its fields, cut and time, and the velocity. It needs no network.\n",
       .usage = "RESULT [--out FILE.html] [options]",
       .examples = "  ogive view vtk_out/my_case\n"
                   "  ogive view vtk_out/my_case --fields plastic_strain,temperature_K --frames 40 --out strain.html\n",

@@ -127,7 +127,7 @@ Option &add(Table &table, std::vector<double> &values, const Entry &entry) {
     for (const Given &one : entries_given(given)) numbers.push_back(number_within(one, limits));
   };
   Option &option = add_bound(table, entry, values, Kind::numbers, "X,X,...", "", read);
-  option.range = "; numbers " + text_of(entry.limits, " to ") + " with commas between them";
+  option.range = "; numbers " + text_of(entry.limits, " to ") + ", separated by commas";
   option.allowed_text = "numbers between " + text_of(entry.limits) + " with commas between them";
   return option;
 }

@@ -46,7 +46,8 @@ std::string entry_of(const PartMetal &part) { return part.part + "=" + part.meta
 // clang-format off
 void add_parts(options::Table &t, Options &o) {
   options::Option &metals = options::add_option(t, {.key = "part_metals", .meaning = "metals of the projectile's parts: "
-      "of a mesh its parts by number or name, else jacket, filler and core; others have --projectile-metal",
+      "numbers or names of parts in a mesh, else jacket, filler and core; parts that are not listed have "
+      "--projectile-metal",
       .source = "none"}, options::Kind::texts, "PART=METAL,...");
   metals.range = "";
   metals.allowed_text = allowed_entries + materials::allowed_projectile_metals();
@@ -66,18 +67,18 @@ void add_parts(options::Table &t, Options &o) {
     for (const auto &entry : o.part_metals) entries.push_back(options::toml_string(entry));
     return entries.empty() ? "" : "[" + options::joined(entries) + "]";
   };
-  add(t, o.parts, {.key = "parts", .meaning = "of a projectile: tied parts share the nodes where they meet, touching "
-      "ones slide on each other and may come apart", .source = "ours"});
+  add(t, o.parts, {.key = "parts", .meaning = "connection of the projectile's parts: tied parts share the nodes where "
+      "they meet, touching ones slide on each other and may separate", .source = "ours"});
   add(t, o.part_friction, {.key = "part_friction", .meaning = "Coulomb friction between parts that touch",
       .source = "assumed", .limits = {0, 2, ""}});
-  add(t, o.bore_radius_mm, {.key = "bore_radius_mm", .meaning = "of a bore from the rear: the projectile is hollow; "
-      "0: none", .source = "ours", .limits = {0, 100, "mm"}});
-  add(t, o.bore_depth_mm, {.key = "bore_depth_mm", .meaning = "of that bore; the length of a blunt projectile makes a "
-      "tube", .source = "none", .limits = {0, 2000, "mm"}});
-  add(t, o.filler_profile_mm, {.key = "filler_profile_mm", .meaning = "z from the tip and r in turn of the surface "
-      "between jacket and filler, closed by flats at both ends", .source = "none", .limits = {0, 2000, "mm"}});
-  add(t, o.core_profile_mm, {.key = "core_profile_mm", .meaning = "z from the tip and r in turn of the surface of the "
-      "core, in a filler or in the jacket", .source = "none", .limits = {0, 2000, "mm"}});
+  add(t, o.bore_radius_mm, {.key = "bore_radius_mm", .meaning = "radius of a bore from the rear; 0: none",
+      .source = "ours", .limits = {0, 100, "mm"}});
+  add(t, o.bore_depth_mm, {.key = "bore_depth_mm", .meaning = "depth of the bore; the length of a blunt projectile "
+      "makes a tube", .source = "none", .limits = {0, 2000, "mm"}});
+  add(t, o.filler_profile_mm, {.key = "filler_profile_mm", .meaning = "z from the tip and r in turn of points of the "
+      "surface between jacket and filler, closed by flats at both ends", .source = "none", .limits = {0, 2000, "mm"}});
+  add(t, o.core_profile_mm, {.key = "core_profile_mm", .meaning = "z from the tip and r in turn of points of the "
+      "surface of the core, in a filler or in the jacket", .source = "none", .limits = {0, 2000, "mm"}});
 }
 // clang-format on
 

@@ -40,28 +40,29 @@ void add_plate(Table &t, Options &o) {
   material.assign = [&o](const Given &given) { o.material = material_given(given); };
   material.names = materials::library_names();
   add(t, o.model, {.key = "model",
-      .meaning = "flow law, of metals that have several (mjc and jc); others have their own", .source = "paper"});
-  add(t, o.method, {.key = "method", .meaning = "numerical method: stabilised has bonds between the particles and "
-      "damage; paper is that of the paper: particles separate by themselves", .source = "ours",
-      .brief = "stabilised, or paper: the method of the paper"});
+      .meaning = "flow law, of metals with the modified and the classical Johnson-Cook law (mjc and jc); other metals "
+      "have one law", .source = "paper"});
+  add(t, o.method, {.key = "method", .meaning = "numerical method: stabilised has damage and bonds between the "
+      "particles; paper, the method of the paper, has neither, and particles separate by themselves", .source = "ours",
+      .brief = "method: stabilised, or paper, that of the paper"});
   add(t, o.damage, {.key = "damage",
-      .meaning = "law of damage: jc by D1 to D5, cockcroft_latham by critical_work_MPa of the material",
+      .meaning = "damage law: jc with D1 to D5 of the material, cockcroft_latham with its critical_work_MPa",
       .source = "jc, none with --method paper: ours, paper"});
   add(t, o.failure, {.key = "failure",
-      .meaning = "effect of full damage (D = 1): none, pressure only, or no force at all",
+      .meaning = "effect of full damage (D = 1): no_tension leaves pressure only, removal leaves no force",
       .source = "none without --damage, else no_tension: ours"});
   add(t, o.damage_softening, {.key = "damage_softening",
-      .meaning = "part of the flow stress that full damage takes away",
+      .meaning = "share of the flow stress that is lost at full damage",
       .source = "0.3, 0 with --method paper: Boervik et al. 2001",
       .limits = {0, 1, ""}});
   add(t, o.damage_pressure, {.key = "damage_pressure",
-      .meaning = "pressure that damage follows: each particle's own, or the mean of its neighbours",
+      .meaning = "pressure in the damage law: each particle's own, or the mean of its neighbours",
       .source = "neighbours, own with --method paper: ours"});
   add(t, o.band_onset, {.key = "band_onset",
-      .meaning = "bands of adiabatic shear form at this part of the strain of instability; 0: none form",
+      .meaning = "adiabatic shear bands form at this share of the strain of instability; 0: none form",
       .source = "0.5, 0 with --method paper: ours",
       .limits = {0, 1, ""}});
-  add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "of the plate", .source = "paper, Fig. 11",
+  add(t, o.thickness_mm, {.key = "thickness_mm", .meaning = "thickness of the plate", .source = "paper, Fig. 11",
       .brief = "thickness of the plate", .limits = {0.05, 500, "mm"}});
   add(t, o.layers_mm, {.key = "layers_mm", .meaning = "thicknesses of several plates behind each other, from front "
       "to rear, instead of --thickness-mm", .source = "none: one plate",
@@ -70,9 +71,9 @@ void add_plate(Table &t, Options &o) {
       .meaning = "gaps between the plates of --layers-mm: one for all, or one for each pair of neighbours",
       .source = "0: they touch", .limits = {0, 1000, "mm"}});
   Option &layers = options::add_option(t, {.key = "layer_materials",
-      .meaning = "of the plates of --layers-mm, one for each",
-      .source = "that of --material: the same for all"}, options::Kind::texts, "NAME,NAME,...");
-  layers.range = ": as for --material, with commas between them";
+      .meaning = "metals of the plates of --layers-mm, one for each",
+      .source = "that of --material: one for all"}, options::Kind::texts, "NAME,NAME,...");
+  layers.range = "; separated by commas, each as for --material";
   layers.allowed_text = "materials with commas between them, each " + materials::allowed_materials();
   layers.assign = [&o](const Given &given) {
     o.layer_materials.clear();
@@ -89,7 +90,7 @@ void add_plate(Table &t, Options &o) {
 
 void add_projectile_choice(Table &t, Options &o) {
   Option &named = options::add_option(t, {.key = "projectile", .meaning = "a projectile of the library, or a file with "
-      "the options of this group from --nose to --rigid; options beside it override single values. Older cases have "
+      "the options of this group from --nose to --rigid; options given with it override single values. Older cases have "
       "deformable or rigid", .source = "deformable: that of --nose and the sizes, of tool steel, paper",
       .brief = "a projectile by name, or your FILE.toml"}, options::Kind::other, "NAME|FILE.toml");
   named.allowed_text = allowed_projectiles();
@@ -125,29 +126,32 @@ void add_projectile_metal(Table &t, Options &o) {
 void add_projectile(Table &t, Options &o) {
   t.group = "Projectile";
   add_projectile_choice(t, o);
-  add(t, o.nose, {.key = "nose", .meaning = "20 mm in diameter and 197 g unless other sizes are given",
+  add(t, o.nose, {.key = "nose",
+      .meaning = "shape of the nose; 20 mm in diameter and 197 g unless other sizes are given",
       .source = "paper, Fig. 11", .brief = "blunt, conical, ogival, hemispherical, chisel or sphere"});
-  add(t, o.diameter_mm, {.key = "diameter_mm", .meaning = "of the shank", .source = "paper",
+  add(t, o.diameter_mm, {.key = "diameter_mm", .meaning = "diameter of the shank", .source = "paper",
       .brief = "diameter of the projectile", .limits = {1, 200, "mm"}});
-  add(t, o.length_mm, {.key = "length_mm", .meaning = "from tip to tail",
+  add(t, o.length_mm, {.key = "length_mm", .meaning = "length from tip to tail",
       .source = "80 blunt, 98 conical, 94.6 ogival, 83.2 hemispherical, 22.6 chisel, 20 sphere, times diameter/20 mm: "
       "paper, ours",
       .limits = {1, 2000, "mm"}});
-  add(t, o.nose_length_mm, {.key = "nose_length_mm", .meaning = "of a conical or ogival nose; depth of a chisel's "
-      "inclined flats", .source = "30 conical, 33 ogival, 3.7 chisel, times diameter/20 mm: paper, ours",
+  add(t, o.nose_length_mm, {.key = "nose_length_mm", .meaning = "length of a conical or ogival nose; depth of a "
+      "chisel's inclined flats", .source = "30 conical, 33 ogival, 3.7 chisel, times diameter/20 mm: paper, ours",
       .limits = {0, 1000, "mm"}});
-  add(t, o.tip_diameter_mm, {.key = "tip_diameter_mm", .meaning = "of the flat at the tip of a conical or ogival nose; "
-      "width of the flat of a chisel", .source = "2 conical, 1 ogival, 9.3 chisel, times diameter/20 mm: paper, ours",
+  add(t, o.tip_diameter_mm, {.key = "tip_diameter_mm", .meaning = "diameter of the flat at the tip of a conical or "
+      "ogival nose; width of the flat of a chisel",
+      .source = "2 conical, 1 ogival, 9.3 chisel, times diameter/20 mm: paper, ours",
       .limits = {0, 200, "mm"}});
   add(t, o.calibre_radius_head, {.key = "calibre_radius_head",
-      .meaning = "radius of an ogive over the diameter, instead of --nose-length-mm",
+      .meaning = "radius of an ogive over the diameter, in place of --nose-length-mm",
       .source = "none: by the length", .limits = {0, 50, ""}});
   add(t, o.edge_radius_mm, {.key = "edge_radius_mm",
-      .meaning = "of the edge of a blunt nose, at most twice the particle distance", .source = "0: sharp",
+      .meaning = "radius of the edge of a blunt nose, at most twice the particle distance", .source = "0: sharp",
       .limits = {0, 25, "mm"}});
-  add(t, o.tail_length_mm, {.key = "tail_length_mm", .meaning = "of a boat tail at the end of the shank; 0: none",
+  add(t, o.tail_length_mm, {.key = "tail_length_mm",
+      .meaning = "length of a boat tail at the end of the shank; 0: none",
       .source = "ours", .limits = {0, 1000, "mm"}});
-  add(t, o.tail_diameter_mm, {.key = "tail_diameter_mm", .meaning = "of the rear end of the boat tail",
+  add(t, o.tail_diameter_mm, {.key = "tail_diameter_mm", .meaning = "diameter of the rear end of the boat tail",
       .source = "none", .limits = {0, 200, "mm"}});
   Option &profile = options::add_option(t, {.key = "profile", .meaning = "a projectile that is a body of revolution: "
       "FILE.csv with the columns z_mm,r_mm, distance from the front and radius, from the front to the rear",
@@ -157,7 +161,7 @@ void add_projectile(Table &t, Options &o) {
   profile.range = "";
   profile.assign = [&o](const Given &given) { o.profile = line_given(given, "the name of a CSV file"); };
   profile.toml = [&o] { return o.profile.empty() ? "" : options::toml_string(o.profile); };
-  add(t, o.profile_mm, {.key = "profile_mm", .meaning = "z and r of the points of a profile in turn, as case.toml has "
+  add(t, o.profile_mm, {.key = "profile_mm", .meaning = "z and r in turn of the points of a profile, as case.toml has "
       "them; --profile reads them from a file", .source = "none", .limits = {0, 2000, "mm"}});
   Option &mesh = options::add_option(t, {.key = "projectile_mesh", .meaning = "a projectile that is a mesh of hexes: "
       "nodes and solids of LS-DYNA (.k), Abaqus (.inp) or VTK (.vtu); its axis is z, its tip the end with the smallest "
@@ -171,23 +175,26 @@ void add_projectile(Table &t, Options &o) {
     o.projectile_mesh = file;
   };
   mesh.toml = [&o] { return o.projectile_mesh.empty() ? "" : options::toml_string(o.projectile_mesh); };
-  add(t, o.mesh_unit, {.key = "mesh_unit", .meaning = "unit of length of that mesh", .source = "ours"});
+  add(t, o.mesh_unit, {.key = "mesh_unit", .meaning = "unit of length of the mesh", .source = "ours"});
   add_parts(t, o);
-  add(t, o.mass_g, {.key = "mass_g", .meaning = "of the projectile, by its density; 0: that of its metal",
-      .source = "paper", .brief = "mass of the projectile; 0: that of its metal", .limits = {0, 1e6, "g"}});
+  add(t, o.mass_g, {.key = "mass_g",
+      .meaning = "mass of the projectile, set by its density; 0: by the density of its metal",
+      .source = "paper", .brief = "mass of the projectile; 0: by the density of its metal", .limits = {0, 1e6, "g"}});
   add_projectile_metal(t, o);
-  add(t, o.rigid, {.key = "rigid", .meaning = "the projectile moves and turns as one, and does not deform",
+  add(t, o.rigid, {.key = "rigid", .meaning = "the projectile moves and turns as a rigid body",
       .source = "no: paper", .brief = "the projectile does not deform"});
-  add(t, o.projectile_erosion, {.key = "projectile_erosion", .meaning = "hexes of the projectile that are too "
-      "distorted to be computed with are removed, and their mass stays at their nodes; else they stop the run",
+  add(t, o.projectile_erosion, {.key = "projectile_erosion", .meaning = "remove hexes of the projectile that "
+      "are too distorted; their mass stays at their nodes. Without it they stop the run",
       .source = "yes: ours"});
   add(t, o.obliquity_deg, {.key = "obliquity_deg",
       .meaning = "angle between the line of flight and the plate's axis; needs --extent half or full",
       .source = "tests", .limits = {0, 60, "deg"}});
-  add(t, o.pitch_deg, {.key = "pitch_deg", .meaning = "of the projectile's axis against the line of flight, in the "
-      "plane of flight and of the plate's axis, positive where the obliquity grows; needs --extent half or full",
+  add(t, o.pitch_deg, {.key = "pitch_deg", .meaning = "angle between the projectile's axis and the line of "
+      "flight, in the plane of the line of flight and the plate's axis, positive in the sense of the obliquity; needs "
+      "--extent half or full",
       .source = "none", .limits = {-45, 45, "deg"}});
-  add(t, o.yaw_deg, {.key = "yaw_deg", .meaning = "of the projectile's axis out of that plane; needs --extent full",
+  add(t, o.yaw_deg, {.key = "yaw_deg",
+      .meaning = "angle of the projectile's axis out of that plane; needs --extent full",
       .source = "none", .limits = {-45, 45, "deg"}});
   add(t, o.velocity_mps, {.key = "velocity_mps", .meaning = "initial velocity", .source = "tests",
       .brief = "initial velocity", .limits = {1, largest_velocity_mps, "m/s"}});
@@ -202,21 +209,24 @@ void add_discretisation(Table &t, Options &o) {
       .meaning = "particle distance, at most half the thickness",
       .source = "paper", .brief = "particle distance; time grows with its fourth power",
       .limits = {0.01, 25, "mm"}});
-  add(t, o.sph_radius_mm, {.key = "sph_radius_mm", .meaning = "radius of the particles' disc, from the projectile's radius and two spacings to less than the clamp radius",
+  add(t, o.sph_radius_mm, {.key = "sph_radius_mm",
+      .meaning = "radius of the disc of particles in the plate: at least the "
+      "projectile's radius and two spacings, less than the clamp radius",
       .source = "paper", .limits = {0.6, 5000, "mm"}});
   add(t, o.extent, {.key = "extent", .meaning = "computed part of the round model", .source = "paper"});
   add(t, o.lattice, {.key = "lattice", .meaning = "arrangement of the particles", .source = "ring, cubic with "
       "--method paper: ours, paper"});
-  add(t, o.seed, {.key = "seed", .meaning = "disturbs the arrangement at random, by up to 5 % of the particle distance; "
-      "each seed is another arrangement, 0 the lattice itself", .source = "ours", .limits = {0, largest_seed, ""}});
-  add(t, o.form, {.key = "form", .meaning = "SPH with corrected gradients, or the textbook's", .source = "ours"});
-  add(t, o.kernel, {.key = "kernel", .meaning = "of SPH", .source = "ours"});
+  add(t, o.seed, {.key = "seed", .meaning = "number of a random arrangement: particles are moved by up to 5 % of the "
+      "particle distance; 0: the undisturbed lattice", .source = "ours", .limits = {0, largest_seed, ""}});
+  add(t, o.form, {.key = "form", .meaning = "gradients of SPH: corrected (renormalised), or as in textbooks (standard)",
+      .source = "ours"});
+  add(t, o.kernel, {.key = "kernel", .meaning = "kernel of SPH", .source = "ours"});
   add(t, o.smoothing, {.key = "smoothing", .meaning = "smoothing length, constant or following the density",
       .source = "ours"});
   add(t, o.element, {.key = "element", .meaning = "integration of the hexes", .source = "ours"});
   add(t, o.pressure, {.key = "pressure", .meaning = "pressure law", .source = "ours"});
   add(t, o.control_stiffness, {.key = "control_stiffness",
-      .meaning = "of the bonds against zero-energy modes, over the shear modulus; 0: no bonds",
+      .meaning = "stiffness of the bonds against zero-energy modes, over the shear modulus; 0: no bonds",
       .source = "0.3, 0 with --method paper: ours, paper", .limits = {0, 2, ""}});
   add(t, o.contact_stiffness, {.key = "contact_stiffness",
       .meaning = "penalty stiffness of the contact, over mass/(time step)^2", .source = "ours",
@@ -232,8 +242,9 @@ void add_run(Table &t, Options &o) {
   add(t, o.end_us, {.key = "end_us", .meaning = "time at which the run ends",
       .source = "three passages of the projectile at its "
       "initial velocity, six unless blunt, at least 500 or 1500 us times diameter/20 mm; most runs end by themselves: ours", .limits = {1, longest_us, "us"}});
-  add(t, o.settle_us, {.key = "settle_us", .meaning = "time to continue once the shot is decided: the plate "
-      "swings, dishing_at_rest_mm is its mean over that time", .source = "0: none", .limits = {0, longest_us, "us"}});
+  add(t, o.settle_us, {.key = "settle_us", .meaning = "time for which a run continues after the shot is "
+      "decided; dishing_at_rest_mm is the mean over it, as the plate swings", .source = "0: none",
+      .limits = {0, longest_us, "us"}});
   add(t, o.out, {.key = "out", .meaning = "folder for the results",
       .source = "vtk_out/MATERIAL_MODEL_NOSE_THICKNESSmm_VELOCITYmps and every option that differs from its "
       "default: ours", .brief = "folder for the results"});

@@ -161,7 +161,7 @@ CaseList cases_of(const std::vector<shot::Level> &common, const std::optional<st
 // clang-format off
 void add_study_options(options::Table &t, StudyOptions &o) {
   t.group = "Study";
-  options::add(t, o.jobs, {.key = "jobs", .meaning = "shots at a time; they share the cores",
+  options::add(t, o.jobs, {.key = "jobs", .meaning = "number of shots at a time; they share the cores",
       .source = "as many as cores: one core a shot is the best use of a machine", .brief = "shots at a time",
       .limits = {1, 1000, ""}, .in_file = false});
   options::add(t, o.shard, {.key = "shard",

@@ -36,8 +36,9 @@ void add_choice(options::Table &t, std::string &value, const options::Entry &ent
 // clang-format off
 options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &s) {
   options::Table t;
-  options::Option &figure = options::add(t, o.figure, {.key = "figure", .meaning = "this one alone",
-      .source = "all: ours", .brief = "this one alone", .limits = {1, 99, ""}});
+  options::Option &figure = options::add(t, o.figure, {.key = "figure",
+      .meaning = "number of the only figure to compute",
+      .source = "all: ours", .brief = "number of the only figure to compute", .limits = {1, 99, ""}});
   figure.allowed_text = "one of " + options::joined(figures.figures);
   figure.range = ", of " + options::joined(figures.figures);
   figure.assign = [&o, list = figures.figures, allowed = figure.allowed_text](const Given &given) {
@@ -46,18 +47,19 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
     o.figure = static_cast<int>(*number);
     if (std::find(list.begin(), list.end(), o.figure) == list.end()) refuse(given, "must be " + allowed);
   };
-  options::add(t, o.quick, {.key = "quick", .meaning = "coarse: particles 1.5 mm apart, in vtk_out/figures_quick",
-      .source = "no: ours", .brief = "coarse: particles 1.5 mm apart"});
-  add_choice(t, o.method, {.key = "method", .meaning = "adds its curves to the plots, with mjc only",
+  options::add(t, o.quick, {.key = "quick", .meaning = "coarse shots, particles 1.5 mm apart, in vtk_out/figures_quick",
+      .source = "no: ours", .brief = "coarse shots, particles 1.5 mm apart"});
+  add_choice(t, o.method, {.key = "method",
+      .meaning = "numerical method; stabilised adds its curves, of mjc alone, to the plots",
       .source = "paper", .brief = "paper or stabilised", .allowed = "one of paper, stabilised"},
       methods);
-  add_choice(t, o.model, {.key = "model", .meaning = "flow stress, mjc, jc or both; pictures have mjc only",
-      .source = "ours", .brief = "flow stress: mjc, jc or both", .allowed = "mjc, jc or both"},
+  add_choice(t, o.model, {.key = "model", .meaning = "flow law: mjc, jc or both; pictures have mjc alone",
+      .source = "ours", .brief = "flow law: mjc, jc or both", .allowed = "mjc, jc or both"},
       {"mjc", "jc", "both"});
   options::add(t, o.spacing_mm, {.key = "spacing_mm", .meaning = "particle distance", .source = "paper",
       .brief = "particle distance", .limits = {0.05, 5, "mm"}});
   options::add(t, o.limits, {.key = "limits", .meaning = "bisect the ballistic limits", .source = "ours"});
-  options::add(t, o.pictures, {.key = "pictures", .meaning = "shots that are for pictures alone, and frames",
+  options::add(t, o.pictures, {.key = "pictures", .meaning = "run the shots that only pictures need, and write frames",
       .source = "ours"});
   options::add(t, o.out, {.key = "out", .meaning = "folder for rows, shots and pictures; shards may share it",
       .source = "vtk_out/figures: ours", .brief = "folder for the results"});

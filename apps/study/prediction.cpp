@@ -50,7 +50,7 @@ Json shot_on_record(const Study &study, const Series &series, const Row &row) {
   const auto folder = folder_of(study, shot);
   if (const std::string reason = conflict(study, shot); !reason.empty()) throw ogive::SetupError(reason);
   if (read_summary(folder).value("state_hash", "") != text_of(row, "state_hash"))
-    throw ogive::SetupError(folder.string() + ": holds no results of the row of this shot");
+    throw ogive::SetupError(folder.string() + ": holds no results of this shot, which has a row");
   return {{"velocity_mps", row.key.values[velocity_column]},
           {"perforated", text_of(row, "perforated") == "1"},
           {"residual_velocity_mps", text_of(row, "residual_velocity_mps")},

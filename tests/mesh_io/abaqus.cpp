@@ -55,7 +55,7 @@ TEST_CASE("damaged Abaqus meshes are refused with file, line and reason") {
       "a.inp:14: hex 1: has node 7 twice: wedges, pyramids and tetrahedra cannot be taken, only hexes of eight nodes");
   CHECK(refused(solids + "1,1,2,3,4,5,6,7,10\n") == "a.inp:14: hex 1: node 10: must be a node of the file");
   CHECK(refused(solids + "1,1,2,3,4,5,6,7,8\n*INSTANCE, NAME=a, PART=b\n0.,0.,5.\n") ==
-        "a.inp:16: moves an instance: its nodes must be where they are");
+        "a.inp:16: moves an instance: its nodes must have their final coordinates");
   CHECK(refused(solids + "1,1,2,3,4,5,6,7,8\n*SOLID SECTION, ELSET=other, MATERIAL=m\n") ==
         "a.inp:15: *SOLIDSECTION, ELSET = OTHER: must be a set of *ELEMENT, ELSET=; those of *ELSET are not read");
   // Capitals and blanks have no meaning in names; what a file name cannot have is an underscore.

@@ -33,7 +33,8 @@ void add_numbers(Table &table, std::optional<std::array<double, count>> &value, 
 Table table_of(Options &o) {
   Table table;
   table.group = "Sections";
-  add(table, o.series, {.key = "series", .meaning = "results of ogive shoot; all times of the first, then of the next",
+  add(table, o.series, {.key = "series",
+      .meaning = "results of ogive shoot, drawn one after the other, each at all --times-us",
       .brief = "draw sections of results", .allowed = "folders with a .pvd file, or .pvd files"})
       .placeholder = "FOLDER|FILE.pvd...";
   const Entry times{.key = "times_us", .meaning = "times in us, or last; the frames nearest to them are drawn",
@@ -46,9 +47,10 @@ Table table_of(Options &o) {
       o.times_us.push_back(item.value == "last" ? last_time : number_within(item, times.limits));
     }
   };
-  add(table, o.columns, {.key = "columns", .meaning = "of sections", .source = "up to 4: even rows",
+  add(table, o.columns, {.key = "columns", .meaning = "number of sections in a row", .source = "up to 4: even rows",
       .limits = {1, 20}});
-  add(table, o.colour, {.key = "colour", .meaning = "quantity of the colours", .brief = "quantity of the colours"});
+  add(table, o.colour, {.key = "colour", .meaning = "quantity that the colours show",
+      .brief = "quantity that the colours show"});
   add_numbers(table, o.range, "LOW,HIGH", {.key = "range", .meaning = "values of the first and of the last colour",
       .source = "0,1.5 or 300,900 K: strain or temperature", .limits = {-1e6, 1e6},
       .allowed = "two numbers separated by a comma, the lower first"}, [](const auto &v) { return v[0] < v[1]; });
@@ -57,16 +59,19 @@ Table table_of(Options &o) {
       .source = "22 mm in front of the plate, down to the plug, 28 mm on either side", .limits = {-5000, 5000, "mm"},
       .allowed = "three numbers separated by commas, the second 1 mm or more above the first, the third 1 mm or more"},
       [](const auto &v) { return v[1] - v[0] >= 1 && v[2] >= 1; });
-  add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "thin lines between the hexes"});
-  add(table, o.from, {.key = "from", .meaning = "direction of view: the section; oblique; or the whole plate from behind, "
-      "without the projectile", .brief = "view: section, oblique or behind"});
-  add(table, o.pixels, {.key = "pixels", .meaning = "width of the page at most", .source = "1600, of a film 1000: ours",
+  add(table, o.mesh_edges, {.key = "mesh_edges", .meaning = "draw thin lines between the hexes"});
+  add(table, o.from, {.key = "from",
+      .meaning = "direction of view: the section from the front or obliquely, or the whole plate "
+      "from behind, without the projectile", .brief = "view: section, oblique or behind"});
+  add(table, o.pixels, {.key = "pixels", .meaning = "largest width of the page, pixels",
+      .source = "1600, of a film 1000: ours",
       .limits = {200, 8000}});
-  add(table, o.animate, {.key = "animate", .meaning = "a film of one series in the place of a picture; needs ffmpeg",
-      .brief = "a film of the series", .allowed = draw::film_names}).placeholder = "FILE.mp4|webm|gif|apng";
-  add(table, o.frames, {.key = "frames", .meaning = "of a film at most; of a longer series some are left out, at even distances",
+  add(table, o.animate, {.key = "animate", .meaning = "draw a film of one series instead of a picture; needs ffmpeg",
+      .brief = "draw a film of the series", .allowed = draw::film_names}).placeholder = "FILE.mp4|webm|gif|apng";
+  add(table, o.frames, {.key = "frames",
+      .meaning = "largest number of frames of a film; of a longer series evenly spaced ones are drawn",
       .source = "ours", .limits = {1, 10000}});
-  add(table, o.frames_per_second, {.key = "frames_per_second", .meaning = "of a film", .source = "ours",
+  add(table, o.frames_per_second, {.key = "frames_per_second", .meaning = "frames per second of a film", .source = "ours",
       .limits = {0.1, 60}});
 
   table.group = "Velocity";
@@ -74,7 +79,7 @@ Table table_of(Options &o) {
       .meaning = "results of ogive shoot: the projectile's velocity against time, all in one plot",
       .brief = "plot velocity against time", .allowed = "folders with a history.csv, or such files"})
       .placeholder = "FOLDER|FILE.csv...";
-  add(table, o.measured_mps, {.key = "measured_mps", .meaning = "residual velocity of a test, as a line",
+  add(table, o.measured_mps, {.key = "measured_mps", .meaning = "residual velocity of a test, drawn as a line",
       .limits = {0, 1e5, "m/s"}});
 
   table.group = "Comparison";
@@ -94,12 +99,13 @@ Table table_of(Options &o) {
 
   table.group = "Picture";
   add_extent(table, o.extent);
-  add(table, o.label, {.key = "label", .meaning = "below the sections or of the curves, one for each",
-      .source = "(a) time and velocity, or the folder: where there are several",
-      .brief = "names of sections or curves"});
-  add(table, o.title, {.key = "title", .meaning = "above the picture", .brief = "above the picture"});
-  add(table, o.out, {.key = "out", .meaning = "the picture; .svg for plots and projectiles too; of --compare a folder",
-      .brief = "the picture, or the folder of a comparison"}).placeholder = "FILE.png";
+  add(table, o.label, {.key = "label", .meaning = "labels of the sections or curves, one for each",
+      .source = "(a) time and velocity, or the folder: if there are several",
+      .brief = "labels of sections or curves"});
+  add(table, o.title, {.key = "title", .meaning = "title above the picture", .brief = "title above the picture"});
+  add(table, o.out, {.key = "out",
+      .meaning = "file of the picture, for plots and projectiles .svg as well; for --compare a folder",
+      .brief = "file of the picture, or folder of the comparison"}).placeholder = "FILE.png";
   return table;
 }
 // clang-format on

@@ -37,8 +37,8 @@ void check(const Options &o) {
   const std::string action = options::name_in(actions, o.action);
   const bool takes_names = o.action != Action::list && o.action != Action::from_tensile;
   if (takes_names && o.names.empty())
-    throw ogive::SetupError(
-        action + (o.action == Action::import ? ": needs the name of a card" : ": needs the names of metals or files"));
+    throw ogive::SetupError(action + ": needs " +
+                            (o.action == Action::import ? "the name of a card" : "the names of metals or files"));
   if (!takes_names && !o.names.empty()) throw ogive::SetupError(action + ": takes no names");
   if (o.names.size() > 1 && (o.action == Action::import || !o.plot.empty()))
     throw ogive::SetupError(action + (o.plot.empty() ? "" : " --plot") + ": takes one name");
@@ -81,7 +81,7 @@ Table table_of(Options &o, std::vector<std::string> &words) {
   units.allowed_text = "one of " + options::names_in(cards::all_units);
   units.assign = [&o](const Given &given) { o.units = choice_given(given, cards::all_units); };
   units.toml = [] { return std::string(); };
-  add(t, o.out, {.key = "out", .meaning = "of import and from-tensile: the material file, a new one",
+  add(t, o.out, {.key = "out", .meaning = "of import and from-tensile: the material file to write, a new one",
       .source = "printed: ours", .brief = "of import and from-tensile: the material file to write",
       .allowed = "the name of a new file that ends in .toml", .in_file = false}).placeholder = "FILE.toml";
   add(t, o.name, {.key = "name", .meaning = "of import and from-tensile: name of the metal",
@@ -102,13 +102,14 @@ Table table_of(Options &o, std::vector<std::string> &words) {
       .meaning = "elongation at the largest force (Agt), for --law voce", .limits = percent,
       .in_file = false});
   add(t, o.reduction_of_area_pct, {.key = "reduction_of_area_pct",
-      .meaning = "reduction of area at fracture (Z), gives W_cr of --damage cockcroft_latham",
-      .brief = "of from-tensile: reduction of area, gives W_cr", .limits = percent, .in_file = false});
+      .meaning = "reduction of area at fracture (Z); gives critical_work_MPa for --damage cockcroft_latham",
+      .brief = "of from-tensile: reduction of area, gives critical_work_MPa", .limits = percent, .in_file = false});
   add(t, o.law, {.key = "law", .meaning = "hardening law", .source = "ours", .in_file = false});
   add(t, o.like, {.key = "like", .meaning = "metal of the library, or FILE.toml, for values that a certificate "
       "lacks: density, Poisson's ratio, heat, effects of rate and temperature",
       .source = "aa6061_t651 at 60 to 85 GPa, weldox_460e at 180 to 225 GPa: ours",
-      .brief = "of from-tensile: metal with what a certificate lacks", .allowed = "a metal of the library, or a file",
+      .brief = "of from-tensile: metal for values that a certificate lacks",
+      .allowed = "a metal of the library, or a file",
       .in_file = false}).names = materials::library_names();
   return t;
 }

@@ -73,7 +73,7 @@ inline std::vector<Column> read_header(const CsvRow &row, const std::string &nam
             "is unknown; allowed are " + list_of(names));
     order.push_back(static_cast<Column>(found - names.begin()));
     require(std::count(order.begin(), order.end(), order.back()) == 1, place(name, row.line) + ": column",
-            printable(field), "must not be there twice");
+            printable(field), "must be given once");
   }
   for (const Column needed : {rate, temperature, strain, stress})
     require(std::find(order.begin(), order.end(), needed) != order.end(), place(name, row.line) + ": column",

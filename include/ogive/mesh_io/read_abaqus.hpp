@@ -98,7 +98,7 @@ inline FileMesh read_abaqus_mesh(std::string_view text, const std::string &file,
       return true;
     }
     if (keyword.name == "*INSTANCE")
-      refuse_line(all, line.number, "moves an instance: its nodes must be where they are");
+      refuse_line(all, line.number, "moves an instance: its nodes must have their final coordinates");
     if (keyword.name != "*NODE" && keyword.name != "*ELEMENT") return true;
     auto fields = comma_fields(line.text);
     if (fields.size() > 1 && fields.back().empty()) fields.pop_back();
