@@ -96,7 +96,7 @@ TEST_CASE("reactions oppose the forces on the slaves", "[contact]") {
       scale += nodes.force[n].norm();
     }
     for (Index s = 0; s < slaves.size(); ++s) {
-      const auto &c = contact.state.forces[s];
+      const auto c = force_on(contact, s);
       if (c.facet < 0) continue;
       ++touching;
       V x = V::Zero();

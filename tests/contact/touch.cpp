@@ -180,7 +180,7 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
     clear(nodes);
     add_contact_force(kept, nodes, 0.0, 1e-7);
     const std::vector<V> forces = nodes.force;
-    for (Index s : kept.candidates.active) with_room += kept.state.room[s] > 0;
+    for (const double room : kept.state.near.room) with_room += room > 0;
     clear(nodes);
     auto fresh = contact_of(nodes, slaves, offset, cube.facets);
     add_contact_force(fresh, nodes, 0.0, 1e-7);
@@ -193,7 +193,7 @@ TEST_CASE("the search finds candidates again after any move", "[contact]") {
 
 TEST_CASE("a slave has room for its distance from what it can touch", "[contact]") {
   // 0.3 mm above the sphere's touch, beside an edge, where the distance goes past the rounded edge; in touch; inside.
-  const auto room = [](const V &p) { return Touching(p).contact.state.room[0]; };
+  const auto room = [](const V &p) { return Touching(p).contact.state.near.room.at(0); };
   CHECK(room({0.7 * edge, 1.2 * edge, 2.8 * edge}) == Approx(0.99 * 0.3 * edge));
   CHECK(room({2.4 * edge, 0.6 * edge, 2.4 * edge}) == Approx(0.99 * (std::hypot(0.4, 0.4) * edge - offset)));
   CHECK(room({0.7 * edge, 1.2 * edge, 2.3 * edge}) == 0);
@@ -202,9 +202,9 @@ TEST_CASE("a slave has room for its distance from what it can touch", "[contact]
   Touching t({0.7 * edge, 1.2 * edge, 2.8 * edge});
   t.nodes.position.back() += V(0.03, 0, 0.04) * edge;
   add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
-  CHECK(t.contact.state.room[0] == Approx((0.99 * 0.3 - 0.05) * edge));
+  CHECK(t.contact.state.near.room.at(0) == Approx((0.99 * 0.3 - 0.05) * edge));
   for (V &p : t.nodes.position) p += V(0, 0, 0.2) * edge;
   t.nodes.position.back() += V(0, 0, -0.1) * edge;
   add_contact_force(t.contact, t.nodes, 1e-7, 1e-7);
-  CHECK(t.contact.state.room[0] == Approx((0.99 * 0.3 - 0.15) * edge));
+  CHECK(t.contact.state.near.room.at(0) == Approx((0.99 * 0.3 - 0.15) * edge));
 }

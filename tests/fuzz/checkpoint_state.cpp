@@ -15,7 +15,7 @@ std::string good_state() {
   auto model = fuzz::struck_brick();
   ogive::RunState<double> run;
   fuzz::run_to(model, run, 13);
-  fuzz::must(model.contacts[0].state.forces[0].facet >= 0, "the block touches the brick");
+  fuzz::must(model.contacts[0].state.near.forces.at(0).facet >= 0, "the block touches the brick");
   model.times = {}; // would make an input mean another state in each run
   ogive::checkpoint_detail::StateWriter writer;
   const std::uint64_t print = fingerprint(model);

@@ -99,7 +99,7 @@ TEST_CASE("a checkpoint with a contact on a facet that is not there is refused")
   auto &contact = model.contacts[0];
   RunState<double> state;
   run_steps(model, state, 5);
-  contact.state.forces[0].facet = static_cast<Index>(contact.facets.size());
+  contact.state.near.forces.at(0).facet = static_cast<Index>(contact.facets.size());
   write_checkpoint(folder.path / "checkpoint.bin", model, state);
   auto other = small_model();
   CHECK(refusal([&] {

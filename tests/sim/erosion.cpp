@@ -136,18 +136,18 @@ TEST_CASE("a slave keeps its force while its facet stays, and gives it up with i
   model.nodes.position[64][2] = 3.25e-3 - 1e-7; // the particle touches the middle of the upper face
   model.nodes.velocity[64] = V(0, 0, -10);
   for (int k = 0; k < 2; ++k) step(model, 1e-8);
-  REQUIRE(contact.state.forces[0].facet >= 0);
-  const auto corners = contact.facets[contact.state.forces[0].facet].nodes;
+  REQUIRE(contact.state.near.forces[0].facet >= 0);
+  const auto corners = contact.facets[contact.state.near.forces[0].facet].nodes;
   const double before = total(energy(model));
   remove_hex(hexes(model), model.nodes, at(0, 0, 0), 1e-8); // far away: other facets come and go
   replace_facets(contact, model.nodes, exposed_facets(model, contact), 1e-8);
-  REQUIRE(contact.state.forces[0].facet >= 0);
-  CHECK(contact.facets[contact.state.forces[0].facet].nodes == corners);
+  REQUIRE(contact.state.near.forces[0].facet >= 0);
+  CHECK(contact.facets[contact.state.near.forces[0].facet].nodes == corners);
   remove_hex(hexes(model), model.nodes, at(1, 1, 2), 1e-8); // the one that it touches
   const double energy_before = normal_energy(contact);
-  const auto force = contact.state.forces[0];
+  const auto force = contact.state.near.forces[0];
   replace_facets(contact, model.nodes, exposed_facets(model, contact), 1e-8);
-  CHECK(contact.state.forces[0].facet == -1);
+  CHECK(contact.state.near.forces[0].facet == -1);
   // The second half of the step's work, -f v dt/2; the facet moves too, by a tenth of that.
   CHECK(normal_energy(contact) - energy_before ==
         Approx(-0.5e-8 * force.normal[2] * model.nodes.velocity[64][2]).epsilon(0.2));

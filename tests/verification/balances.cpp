@@ -48,7 +48,7 @@ template <class Make> Exchange strike_in_line(double edge, double offset, Make &
   while (model.time < 3 * crossing) {
     step(model, dt);
     x.energy_error = std::max(x.energy_error, std::abs(total(energy(model)) / e - 1));
-    for (const auto &f : model.contacts.front().state.forces)
+    for (const auto &f : model.contacts.front().state.near.forces)
       if (f.facet >= 0) first = first < 0 ? model.time : first, last = model.time;
   }
   x.struck = -mean_velocity(model.nodes, struck)[2] / speed;

@@ -27,24 +27,25 @@ template <class T> void measure_facets(NodeToSurface<T> &contact, const Nodes<T>
 
 /// Adds the forces on slave `a` of the active list and their work over the interval `dt_old` (s) to the ledger.
 template <class T> void add_force_on_slave(NodeToSurface<T> &contact, Nodes<T> &nodes, Index a, T dt_old) {
-  ContactState<T> &state = contact.state;
-  const Index s = contact.candidates.active[a], node = contact.slaves[s];
-  if (state.room[s] > T(0)) return;
+  const ContactState<T> &state = contact.state;
+  NearSlaves<T> &near = contact.state.near;
+  const Index s = contact.candidates.active[a], k = contact.candidates.entry[a], node = contact.slaves[s];
+  if (near.room[k] > T(0)) return;
   ContactForce<T> now;
   const Vec3<T> p = on_model_side(contact, nodes.position, s);
   NearestFacet<T> nearest = find_nearest(contact, nodes, a, p, contact.offset[s] + contact.search_margin);
-  if (!nearest.outside && !can_be_inside(contact, s, std::sqrt(nearest.point.distance_squared))) nearest.outside = true;
+  if (!nearest.outside && !can_be_inside(contact, k, std::sqrt(nearest.point.distance_squared))) nearest.outside = true;
   const Touch<T> touch = touch_at(contact, nodes, a, nearest);
-  state.room[s] = T(0.99) * touch.room; // the closest point is known to 1e-6 of its distance
+  near.room[k] = T(0.99) * touch.room; // the closest point is known to 1e-6 of its distance
   if (touch.lost) {
     now.lost = state.slave_mass[s] > T(0); // a deactivated slave may be anywhere
   } else if (touch.facet >= 0) {
     const Vec3<T> velocity = relative_velocity(contact, nodes, s, touch);
     now = contact_force(touch, contact.options, velocity, penalty_mass(contact, s, touch), state.reference_time_step);
   }
-  add_half_work(contact, nodes, s, state.forces[s], dt_old);
-  add_half_work(contact, nodes, s, now, dt_old);
-  state.forces[s] = now;
+  add_half_work(contact, nodes, k, near.forces[k], dt_old);
+  add_half_work(contact, nodes, k, now, dt_old);
+  near.forces[k] = now;
   nodes.force[node] += now.normal + now.friction;
 }
 
@@ -65,13 +66,23 @@ template <class T, class Body> void release_removed(NodeToSurface<T> &contact, c
   if (damage.effect == FailureEffect::removal && damage.law != DamageLaw::none) deactivate_removed(contact, body);
 }
 
+/// Keeps where near slaves and masters are at this check.
+template <class T> void keep_checked_positions(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
+  NearSlaves<T> &near = contact.state.near;
+  std::vector<Vec3<T>> &masters_at = contact.state.masters_checked_at;
+  masters_at.resize(contact.masters.size());
+  parallel_for(size(near), [&](Index k) { near.checked_at[k] = nodes.position[contact.slaves[near.slaves[k]]]; });
+  parallel_for(static_cast<Index>(masters_at.size()),
+               [&](Index m) { masters_at[m] = nodes.position[contact.masters[m]]; });
+}
+
 /// Adds the forces of a contact to slaves and masters, and their work over the last interval `dt_old` (s; the step to
 /// come is `dt`) to the ledger (trapezoidal rule between the forces before and now).
 template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &nodes, T dt_old, T dt) {
   ContactState<T> &state = contact.state;
   if (is_search_due(contact, nodes)) {
     search(contact, nodes);
-    state.room.assign(contact.slaves.size(), T(0));
+    std::fill(state.near.room.begin(), state.near.room.end(), T(0));
   } else {
     use_up_room(contact, nodes);
   }
@@ -79,12 +90,13 @@ template <class T> void add_contact_force(NodeToSurface<T> &contact, Nodes<T> &n
   measure_facets(contact, nodes);
   parallel_for(static_cast<Index>(contact.candidates.active.size()),
                [&](Index a) { add_force_on_slave(contact, nodes, a, dt_old); });
-  state.checked_at = nodes.position;
+  keep_checked_positions(contact, nodes);
 
   // Masters share nodes; the slaves in contact are few, so one thread hands over their reactions in a fixed order.
-  for (Index s : contact.candidates.active) {
-    if (state.forces[s].lost && state.lost < 0) state.lost = s;
-    add_reaction(contact, nodes, state.forces[s], T(1));
+  for (const Index k : contact.candidates.entry) {
+    const ContactForce<T> &force = state.near.forces[k];
+    if (force.lost && state.lost < 0) state.lost = state.near.slaves[k];
+    add_reaction(contact, nodes, force, T(1));
   }
 }
 

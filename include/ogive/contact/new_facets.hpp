@@ -20,15 +20,15 @@ void replace_facets(NodeToSurface<T> &contact, const Nodes<T> &nodes, std::vecto
   std::vector<Place> places;
   for (Index f = 0; f < static_cast<Index>(facets.size()); ++f) places.emplace_back(facets[f].nodes, f);
   std::sort(places.begin(), places.end());
-  for (Index s = 0; s < static_cast<Index>(contact.slaves.size()); ++s) {
-    ContactForce<T> &force = contact.state.forces[s];
+  for (Index k = 0; k < size(contact.state.near); ++k) {
+    ContactForce<T> &force = contact.state.near.forces[k];
     if (force.facet < 0) continue;
     const auto &corners = contact.facets[force.facet].nodes;
     const auto same = std::lower_bound(places.begin(), places.end(), Place{corners, -1});
     if (same != places.end() && same->first == corners) {
       force.facet = same->second;
     } else {
-      add_half_work(contact, nodes, s, force, dt);
+      add_half_work(contact, nodes, k, force, dt);
       force = {};
     }
   }

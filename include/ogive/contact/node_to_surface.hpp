@@ -31,22 +31,31 @@ template <class T> struct ContactForce {
   Vec3<T> friction = Vec3<T>::Zero(); ///< friction force on the slave, N
 };
 
+/// Slaves that are near the surface or have been pushed by it, and what only they have. They are few: of a plate's
+/// particles those around the projectile.
+template <class T> struct NearSlaves {
+  std::vector<Index> slaves;           ///< their numbers in the contact, ascending
+  std::vector<ContactForce<T>> forces; ///< one for each of them, as all that follows
+  std::vector<T> normal_energy;        ///< J, work taken by the penalty springs
+  std::vector<T> friction_energy;      ///< J
+  std::vector<T> room;                 ///< m, how far slave and surface may still approach before they can touch
+  std::vector<Vec3<T>> checked_at;     ///< positions at the last check, m
+};
+
 /// The state of a contact in a run.
 template <class T> struct ContactState {
-  std::vector<T> slave_mass;           ///< kg; 0: deactivated
-  T reference_time_step{};             ///< s, of the stiffness; 0: that of the first step
-  std::vector<ContactForce<T>> forces; ///< one for each slave
-  std::vector<T> normal_energy;        ///< J, work taken by the penalty springs, one for each slave
-  std::vector<T> friction_energy;      ///< J, one for each slave
-  Index lost = -1;                     ///< the first slave that got lost behind the surface; -1: none
-  std::vector<Vec3<T>> searched_at;    ///< positions of all nodes at the last search, m
-  std::vector<Vec3<T>> checked_at;     ///< positions of all nodes at the last check of the slaves, m
-  std::vector<T> room; ///< m, how far each slave and the surface may still approach before they can touch
+  std::vector<T> slave_mass;               ///< kg; 0: deactivated
+  T reference_time_step{};                 ///< s, of the stiffness; 0: that of the first step
+  Index lost = -1;                         ///< the first slave that got lost behind the surface; -1: none
+  std::vector<Vec3<T>> searched_at;        ///< positions of all nodes at the last search, m
+  NearSlaves<T> near;                      ///< all other slaves have no force, work or room
+  std::vector<Vec3<T>> masters_checked_at; ///< positions of the masters at the last check of the slaves, m
 };
 
 /// Slaves that may touch the surface, and facets that they may touch: made anew by each search.
 template <class T> struct FacetCandidates {
   std::vector<Index> active;   ///< slaves that have candidates
+  std::vector<Index> entry;    ///< of each active slave among the near ones
   std::vector<Index> begin;    ///< of each active slave in `facets`, and the end
   std::vector<Index> facets;   ///< grouped by active slave
   std::vector<Vec3<T>> middle; ///< m, of each facet of the surface, of this step
@@ -117,16 +126,13 @@ NodeToSurface<T> make_contact(const Nodes<T> &nodes, std::vector<Index> slaves, 
       smallest = std::min(smallest, (nodes.position[f.nodes[k]] - nodes.position[f.nodes[(k + 1) % 4]]).norm());
   for (T o : offset) c.search_margin = std::max(c.search_margin, T(1.5) * o);
   c.search_margin = std::max(c.search_margin, smallest);
+  c.state.slave_mass.reserve(slaves.size());
   for (Index s : slaves) {
     require(nodes.mass[s] > T(0), c.name + " mass of slave node " + std::to_string(s), nodes.mass[s],
             "must be positive (make contacts before ties)");
     require(!is_master[s], c.name + " slave node", s, "must not belong to a facet");
     c.state.slave_mass.push_back(nodes.mass[s]);
   }
-  c.state.forces.resize(slaves.size());
-  c.state.room.assign(slaves.size(), T(0));
-  c.state.normal_energy.assign(slaves.size(), T(0));
-  c.state.friction_energy.assign(slaves.size(), T(0));
   c.slaves = std::move(slaves);
   c.offset = std::move(offset);
   set_facets(c, nodes, std::move(facets));

@@ -42,13 +42,14 @@ template <class T, class Touching> T penalty_mass(const NodeToSurface<T> &contac
   return std::min(contact.state.slave_mass[s], facet_mass);
 }
 
-/// Whether slave `s` can be inside a surface from which hexes may have been removed, `distance` (m) behind it. It seems
-/// so beside a fold, where the surface overlaps itself and has no side. A slave does not get far inside in one step:
-/// one that was not as deep in the last step is outside. While nothing has been removed only the slaves that would be
-/// lost are checked.
-template <class T> bool can_be_inside(const NodeToSurface<T> &contact, Index s, T distance) {
+/// Whether near slave `k` can be inside a surface from which hexes may have been removed, `distance` (m) behind it. It
+/// seems so beside a fold, where the surface overlaps itself and has no side. A slave does not get far inside in one
+/// step: one that was not as deep in the last step is outside. While nothing has been removed only the slaves that
+/// would be lost are checked.
+template <class T> bool can_be_inside(const NodeToSurface<T> &contact, Index k, T distance) {
   if (contact.eroding.empty() || (!contact.torn && distance <= contact.search_margin)) return true;
-  const ContactForce<T> &last = contact.state.forces[s];
+  const Index s = contact.state.near.slaves[k];
+  const ContactForce<T> &last = contact.state.near.forces[k];
   T depth{};
   if (const T mass = last.facet < 0 ? T(0) : penalty_mass(contact, s, last); mass > T(0)) {
     const T dt = contact.state.reference_time_step;

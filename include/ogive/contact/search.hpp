@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ogive/contact/near_slaves.hpp"
 #include "ogive/contact/node_to_surface.hpp"
 #include "ogive/search/box.hpp"
 #include "ogive/search/cell_grid.hpp"
@@ -19,7 +20,7 @@ template <class T> Box<T> facet_box(const Facet &facet, const Nodes<T> &nodes, T
   return box;
 }
 
-/// Box around the displacements of the nodes of `list` from the positions `then` (m).
+/// Box around the displacements of the nodes of `list` from the positions `then` of all nodes (m).
 template <class T>
 Box<T> box_of_moves(const Nodes<T> &nodes, const std::vector<Vec3<T>> &then, const std::vector<Index> &list) {
   return box_of_moves<T>(static_cast<Index>(list.size()),
@@ -36,15 +37,19 @@ template <class T> bool is_search_due(const NodeToSurface<T> &contact, const Nod
   return std::isfinite(relative) && relative > contact.search_margin;
 }
 
-/// Position of slave `s` among those of all nodes (m); of its mirror image if it was pushed across a mirror plane,
-/// where there are no facets.
-template <class T>
-Vec3<T> on_model_side(const NodeToSurface<T> &contact, const std::vector<Vec3<T>> &positions, Index s) {
-  const Vec3<T> &p = positions[contact.slaves[s]];
+/// Position (m) of a slave that is at `p`; of its mirror image if it was pushed across a mirror plane, where there are
+/// no facets.
+template <class T> Vec3<T> on_model_side(const NodeToSurface<T> &contact, const Vec3<T> &p) {
   return reflected(p, to_model_side(p, contact.symmetry));
 }
 
-/// Finds, for each slave, the facets it can touch before the next search.
+/// on_model_side() of slave `s` among the positions of all nodes (m).
+template <class T>
+Vec3<T> on_model_side(const NodeToSurface<T> &contact, const std::vector<Vec3<T>> &positions, Index s) {
+  return on_model_side(contact, positions[contact.slaves[s]]);
+}
+
+/// Finds, for each slave, the facets it can touch before the next search. Slaves that have some become near ones.
 template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
   contact.state.searched_at = nodes.position;
   contact.candidates.active.clear();
@@ -102,6 +107,7 @@ template <class T> void search(NodeToSurface<T> &contact, const Nodes<T> &nodes)
     }
   }
   contact.candidates.begin.push_back(static_cast<Index>(contact.candidates.facets.size()));
+  keep_near(contact);
 }
 
 } // namespace ogive

@@ -151,12 +151,15 @@ template <class T> Touch<T> find_touch(const NodeToSurface<T> &contact, const No
 
 /// Takes the way that each slave and the surface may have come closer since the last check from its room.
 template <class T> void use_up_room(NodeToSurface<T> &contact, const Nodes<T> &nodes) {
-  const Box<T> surface = box_of_moves(nodes, contact.state.checked_at, contact.masters);
+  NearSlaves<T> &near = contact.state.near;
+  const Box<T> surface = box_of_moves<T>(static_cast<Index>(contact.masters.size()), [&](Index m) {
+    return Vec3<T>(nodes.position[contact.masters[m]] - contact.state.masters_checked_at[m]);
+  });
   parallel_for(static_cast<Index>(contact.candidates.active.size()), [&](Index a) {
-    const Index s = contact.candidates.active[a];
-    if (!(contact.state.room[s] > T(0))) return;
-    const Vec3<T> u = on_model_side(contact, nodes.position, s) - on_model_side(contact, contact.state.checked_at, s);
-    contact.state.room[s] -= (u - surface.low).cwiseAbs().cwiseMax((u - surface.high).cwiseAbs()).norm();
+    const Index s = contact.candidates.active[a], k = contact.candidates.entry[a];
+    if (!(near.room[k] > T(0))) return;
+    const Vec3<T> u = on_model_side(contact, nodes.position, s) - on_model_side(contact, near.checked_at[k]);
+    near.room[k] -= (u - surface.low).cwiseAbs().cwiseMax((u - surface.high).cwiseAbs()).norm();
   });
 }
 

@@ -98,10 +98,13 @@ template <class F> void parallel_for_chunks(Index n, Index chunk, F &&f) {
   first.rethrow();
 }
 
+/// Indices that a fold takes one after the other; what their blocks give is folded then.
+inline constexpr Index fold_block = 1024;
+
 /// Folds `f(i)`, i in [0, n), with `combine` in a fixed order: the same bits for any number of threads.
 /// Throws what `f` or `combine` throws for the lowest i.
 template <class R, class F, class Combine> R ordered_fold(Index n, R start, F &&f, Combine &&combine) {
-  constexpr Index block = 1024;
+  constexpr Index block = fold_block;
   const Index blocks = (n + block - 1) / block;
   std::vector<R> partial(static_cast<std::size_t>(blocks), start);
   parallel_detail::FirstException first;

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -47,6 +48,7 @@ struct StateWriter {
   void operator()(const std::string &, const RawValue auto &value) { plain(value); }
   template <class V> void operator()(const std::string &, const std::vector<V> &values) { array(values); }
   template <class V> void operator()(const std::string &, const FullOrEmpty<V> &list) { array(list.values); }
+  template <class V> void operator()(const std::string &, const UpTo<V> &list) { array(list.values); }
 
   template <class V> void plain(const V &value) {
     pieces.emplace_back(reinterpret_cast<const char *>(&value), sizeof value);
@@ -70,6 +72,13 @@ struct StateReader {
   template <class V> void operator()(const std::string &name, const FullOrEmpty<V> &list) {
     const std::uint64_t n = count(name);
     if (n > 0) require_count(name, n, list.full);
+    list.values.resize(n);
+    fill(name, list.values.data(), n * sizeof(list.values[0]));
+  }
+
+  template <class V> void operator()(const std::string &name, const UpTo<V> &list) {
+    const std::uint64_t n = count(name);
+    if (n > list.most) require_count(name, n, list.most);
     list.values.resize(n);
     fill(name, list.values.data(), n * sizeof(list.values[0]));
   }
@@ -108,6 +117,28 @@ void check_lists(const SphBody<T, Law, K, F> &body, Need &&need) {
 /// Nothing: hexes have no lists.
 template <class T, class Law, class Rule, class Need> void check_lists(const HexBody<T, Law, Rule> &, Need &&) {}
 
+/// Calls `need(ok, what)` for the state of a contact.
+template <class T, class Need> void check_contact(const NodeToSurface<T> &contact, Need &&need) {
+  const auto slaves = static_cast<Index>(contact.slaves.size()), facets = static_cast<Index>(contact.facets.size());
+  const ContactState<T> &state = contact.state;
+  const NearSlaves<T> &near = state.near;
+  need(are_places(state.searched_at), contact.name + " positions of the search");
+  need(state.lost >= -1 && state.lost < slaves, contact.name + " lost slave");
+  need(std::is_sorted(near.slaves.begin(), near.slaves.end(), std::less_equal{}) &&
+           (near.slaves.empty() || (near.slaves.front() >= 0 && near.slaves.back() < slaves)),
+       contact.name + " near slaves");
+  for (const std::size_t length : {near.forces.size(), near.normal_energy.size(), near.friction_energy.size(),
+                                   near.room.size(), near.checked_at.size()})
+    need(length == near.slaves.size(), contact.name + " near slaves");
+  need(are_places(near.checked_at) && are_places(state.masters_checked_at),
+       contact.name + " positions of the last check");
+  need(state.searched_at.empty() || state.masters_checked_at.size() == contact.masters.size(),
+       contact.name + " positions of the masters");
+  need(std::all_of(near.forces.begin(), near.forces.end(),
+                   [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
+       contact.name + " facet");
+}
+
 /// Refuses values that no run has and that would lead out of arrays or sizes.
 template <class T, class Bodies> void check_restored(const Model<T, Bodies> &model, const std::string &file) {
   const auto need = [&](bool ok, const std::string &what) {
@@ -116,15 +147,7 @@ template <class T, class Bodies> void check_restored(const Model<T, Bodies> &mod
   need(model.steps >= 0 && model.steps < std::int64_t(1) << 60, "its number of steps");
   need(are_places(model.nodes.position), "its positions");
   for_each_body(model, [&](const auto &body) { check_lists(body, need); });
-  for (const auto &contact : model.contacts) {
-    const auto slaves = static_cast<Index>(contact.slaves.size()), facets = static_cast<Index>(contact.facets.size());
-    need(are_places(contact.state.searched_at), contact.name + " positions of the search");
-    need(are_places(contact.state.checked_at), contact.name + " positions of the last check");
-    need(contact.state.lost >= -1 && contact.state.lost < slaves, contact.name + " lost slave");
-    need(std::all_of(contact.state.forces.begin(), contact.state.forces.end(),
-                     [&](const ContactForce<T> &c) { return c.facet >= -1 && c.facet < facets; }),
-         contact.name + " facet");
-  }
+  for (const auto &contact : model.contacts) check_contact(contact, need);
   for (const auto &contact : model.particle_contacts) {
     need(are_places(contact.searched_at), contact.name + " positions of the search");
     need(contact.lost >= -1 && contact.lost < contact.nodes.size(), contact.name + " lost particle");

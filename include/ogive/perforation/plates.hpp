@@ -102,6 +102,8 @@ template <class T> struct Slaves {
 
 /// Adds the nodes of a range, as spheres of radius `offset` (m).
 template <class T> void add_slaves(Slaves<T> &slaves, NodeRange range, T offset) {
+  const std::size_t count = slaves.nodes.size() + static_cast<std::size_t>(range.size());
+  if (range.size() > 1) slaves.nodes.reserve(count), slaves.offset.reserve(count); // a contact keeps the arrays
   for (Index n = range.begin; n < range.end; ++n) slaves.nodes.push_back(n), slaves.offset.push_back(offset);
 }
 
@@ -111,9 +113,9 @@ template <class T> void add_slaves(Slaves<T> &slaves, NodeRange range, T offset)
 template <class T, class Disc, class Rim>
 void add_rim_contacts(std::vector<NodeToSurface<T>> &contacts, const Nodes<T> &nodes, const std::vector<Disc> &discs,
                       const std::vector<Rim> &rims, const std::vector<RimFacets> &facets, T disc_radius) {
-  const NodeToSurface<T> first = contacts.front();
-  ContactOptions<T> options;
-  options.stiffness = first.options.stiffness;
+  const SymmetryPlanes symmetry = contacts.front().symmetry;
+  const T reference_time_step = contacts.front().state.reference_time_step;
+  const ContactOptions<T> options{.stiffness = contacts.front().options.stiffness};
   for (std::size_t k = 0; k < rims.size(); ++k) {
     Slaves<T> slaves;
     for (std::size_t other = 0; other < discs.size(); ++other)
@@ -127,8 +129,8 @@ void add_rim_contacts(std::vector<NodeToSurface<T>> &contacts, const Nodes<T> &n
           add_slaves(slaves, {n, n + 1}, T(0));
     }
     contacts.push_back(make_contact(nodes, std::move(slaves.nodes), std::move(slaves.offset), facets[k].skin,
-                                    "plates on " + rims[k].name, options, first.symmetry));
-    contacts.back().state.reference_time_step = first.state.reference_time_step;
+                                    "plates on " + rims[k].name, options, symmetry));
+    contacts.back().state.reference_time_step = reference_time_step;
   }
 }
 

@@ -24,6 +24,15 @@ template <class Values> struct FullOrEmpty {
 /// Deduced from the array.
 template <class Values> FullOrEmpty(Values &, std::size_t) -> FullOrEmpty<Values>;
 
+/// An array that has up to `most` entries.
+template <class Values> struct UpTo {
+  Values &values;   ///< the array
+  std::size_t most; ///< its greatest length
+};
+
+/// Deduced from the array.
+template <class Values> UpTo(Values &, std::size_t) -> UpTo<Values>;
+
 /// Calls `f(name, value)` for all of the state of a body of hexes that is not a material point's.
 template <BodyOfHexes Body, class F> void for_each_own_field(Body &body, F &&f) {
   for_each_hex_field(body, [&](const char *name, const char *, auto &values) { f(name, values); });
@@ -40,8 +49,9 @@ template <BodyOfParticles Body, class F> void for_each_own_field(Body &body, F &
 }
 
 /// Calls `f(name, value)` for all that a run changes and needs to resume with the same bits: the one list that
-/// checkpoints write and read. A value is a number, a vector of fixed length, an array whose length the model gives, or
-/// FullOrEmpty. What a step makes anew is left out, and so are lists that `renew_lists` makes from what is here.
+/// checkpoints write and read. A value is a number, a vector of fixed length, an array whose length the model gives,
+/// FullOrEmpty or UpTo. What a step makes anew is left out, and so are lists that `renew_lists` makes from what is
+/// here.
 template <class M, class R, class F> void for_each_state_field(M &model, R &run, F &&f) {
   f("time", model.time);
   f("steps", model.steps);
@@ -63,18 +73,20 @@ template <class M, class R, class F> void for_each_state_field(M &model, R &run,
     for_each_own_field(body, field);
   });
   for (auto &contact : model.contacts) {
-    const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
+    const auto field = [&](const char *name, auto &&values) { f(contact.name + " " + name, values); };
     field("slave_mass", contact.state.slave_mass);
     field("reference_time_step", contact.state.reference_time_step);
-    field("forces", contact.state.forces);
-    field("normal_energy", contact.state.normal_energy);
-    field("friction_energy", contact.state.friction_energy);
     field("lost", contact.state.lost);
     FullOrEmpty searched_at{contact.state.searched_at, nodes};
     field("positions of the search", searched_at);
-    FullOrEmpty checked_at{contact.state.checked_at, nodes};
-    field("positions of the last check", checked_at);
-    field("room", contact.state.room);
+    const auto near = [&](const char *name, auto &values) { field(name, UpTo{values, contact.slaves.size()}); };
+    near("near slaves", contact.state.near.slaves);
+    near("forces", contact.state.near.forces);
+    near("normal_energy", contact.state.near.normal_energy);
+    near("friction_energy", contact.state.near.friction_energy);
+    near("room", contact.state.near.room);
+    near("positions of the last check", contact.state.near.checked_at);
+    field("positions of the masters", UpTo{contact.state.masters_checked_at, nodes});
   }
   for (auto &contact : model.particle_contacts) {
     const auto field = [&](const char *name, auto &values) { f(contact.name + " " + name, values); };
