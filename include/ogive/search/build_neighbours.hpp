@@ -16,10 +16,13 @@
 
 namespace ogive {
 
+/// Gives the memory of an array back; `values = {}` would keep it.
+template <class V> void release(std::vector<V> &values) { std::vector<V>().swap(values); }
+
 /// Makes room for `size` values, which are then unspecified. Growth by doubling would keep room for twice as many.
 template <class V> void resize_tightly(std::vector<V> &values, std::size_t size) {
   if (values.capacity() < size) {
-    values = {};
+    release(values);
     values.reserve(size + size / 16);
   }
   values.resize(size);
@@ -117,6 +120,21 @@ void append_row(const Search<T> &search, Index c, std::vector<Side<T>> &sides, s
   }
 }
 
+/// Columns whose neighbours are searched for before the next ones: enough for many threads.
+inline constexpr Index least_columns_at_once = 128;
+
+/// Makes room in the list for the first `done` clusters, and for the others if their rows are as long: so the list is
+/// moved in memory early, while it is short, or not at all.
+template <class T> void make_room(Neighbours<T> &n, Index done) {
+  const auto listed = static_cast<std::size_t>(n.cluster_begin[done]);
+  const auto all = static_cast<std::size_t>(static_cast<double>(listed) * clusters(n) / std::max(done, Index(1)));
+  if (n.list.capacity() < all) {
+    n.list.resize(std::min(n.list.size(), listed));
+    n.list.reserve(all + all / 16);
+  }
+  if (n.list.size() < listed) n.list.resize(listed);
+}
+
 /// Builds the lists anew: complete within `support` (m) until two particles have moved by more than `skin` (m) relative
 /// to each other.
 template <class T>
@@ -140,9 +158,9 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
   });
   parallel_for(total, [&](Index column) { search.of_column[column] = box_of_column(columns, column); });
 
-  std::vector<std::vector<Index>> rows(total);
   n.cluster_begin.assign(clusters(n) + 1, 0);
-  parallel_for_chunks(total, 1, [&](Index column, Index) {
+  const auto find_rows = [&](Index column, std::vector<Index> &rows) {
+    rows.clear();
     const auto near = [&](Reflection in) {
       return near_columns(columns, std::span<const Box<T>>(search.of_column), reflected(search.of_column[column], in),
                           n.reach);
@@ -155,18 +173,27 @@ void build_neighbours(Neighbours<T> &n, std::span<const Vec3<T>> positions, Symm
       if (!side.near.empty()) sides.push_back(std::move(side));
     });
     for (Index c = columns.begin[column]; c < columns.begin[column + 1]; ++c) {
-      const std::size_t before = rows[column].size();
-      append_row(search, c, sides, rows[column]);
-      n.cluster_begin[c + 1] = static_cast<std::int64_t>(rows[column].size() - before);
+      const std::size_t before = rows.size();
+      append_row(search, c, sides, rows);
+      n.cluster_begin[c + 1] = static_cast<std::int64_t>(rows.size() - before);
     }
-  });
-  for (Index c = 0; c < clusters(n); ++c) n.cluster_begin[c + 1] += n.cluster_begin[c];
+  };
+  // Some columns at a time: the rows of all of them would take more memory than the list.
+  const Index at_once = std::max(least_columns_at_once, total / 16);
+  std::vector<std::vector<Index>> rows(std::min(total, at_once));
+  for (Index first = 0; first < total; first += at_once) {
+    const Index last = std::min(total, first + at_once);
+    parallel_for_chunks(last - first, 1, [&](Index k, Index) { find_rows(first + k, rows[k]); });
+    for (Index c = columns.begin[first]; c < columns.begin[last]; ++c) n.cluster_begin[c + 1] += n.cluster_begin[c];
+    make_room(n, columns.begin[last]);
+    parallel_for(last - first, [&](Index k) {
+      std::copy(rows[k].begin(), rows[k].end(), n.list.begin() + n.cluster_begin[columns.begin[first + k]]);
+    });
+  }
+  for (Index c = columns.begin[total]; c < clusters(n); ++c) n.cluster_begin[c + 1] += n.cluster_begin[c];
   const auto listed = static_cast<std::size_t>(n.cluster_begin.back());
-  resize_tightly(n.list, listed);
+  n.list.resize(listed);
   n.within.assign(listed / 64 + static_cast<std::size_t>(clusters(n)) + 1, 0);
-  parallel_for(total, [&](Index column) {
-    std::copy(rows[column].begin(), rows[column].end(), n.list.begin() + n.cluster_begin[columns.begin[column]]);
-  });
 }
 
 /// True if the lists may miss a neighbour: some two particles may have moved by more than the skin relative to each
