@@ -116,8 +116,7 @@ template <class Body, class T> Json memory_of(const Body &body, const ogive::Nod
   double points = bytes_of(p.velocity_gradient, p.quasi_static_yield, p.yield_strain, p.yield_temperature,
                            body.point_mass, body.viscous_energy);
   ogive::for_each_point_field(p, [&](const char *, const char *, const auto &field) { points += bytes(field); });
-  double pair_data = bytes_of(d.motion, d.flux, d.pressure, d.smoothing);
-  for (const auto &component : d.correction) pair_data += bytes(component);
+  const double pair_data = bytes_of(d.motion, d.flux, d.pressure, d.smoothing);
   const double of_nodes = bytes_of(nodes.position, nodes.velocity, nodes.force, nodes.mass, nodes.held);
   return {{"nodes", of_nodes * static_cast<double>(body.nodes.size()) / static_cast<double>(nodes.size())},
           {"points", points},
@@ -187,9 +186,8 @@ template <class Done> Window advance_until(Shot &model, Done &&done) {
   while (!done(w)) {
     const double neighbours = model.times[Phase::neighbours];
     ogive::Lap lap(model.times);
-    const double dt = model.steps % ogive::RunOptions<double>{}.time_step_every == 0
-                          ? ogive::stable_time_step(model)
-                          : model.last_step;
+    const double dt = model.steps % ogive::RunOptions<double>{}.time_step_every == 0 ? ogive::stable_time_step(model)
+                                                                                     : model.last_step;
     lap(Phase::checks);
     ogive::step(model, dt);
     ++w.steps;

@@ -32,9 +32,9 @@
 ///
 ///     nodes: x, v; points: density, ...   -- prepare() -->              pair_data: x, v, volume, ...; lists
 ///     points: velocity_gradient           <-- velocity_gradient() --    pair_data, lists
-///                                                                       writes pair_data.correction, lists.within
+///                                                                       writes B to pair_data.flux, lists.within
 ///     points: stress, ...                 -- update_stress(), each particle alone
-///     points: stress                      -- add_internal_force() -->   pair_data.flux
+///     points: stress                      -- add_internal_force() -->   pair_data.flux, in the place of B
 ///     nodes: force                        <-- add_internal_force() --   pair_data, lists.within
 
 namespace ogive {
@@ -50,7 +50,8 @@ struct alignas(64) ClusterMotion {
   Places<float> density;                 ///< kg/m3
 };
 
-/// Corrected stress G = sigma B times the volume at the four places of a cluster, row first, N m.
+/// Corrected stress G = sigma B times the volume at the four places of a cluster, row first, N m; until the stress of
+/// the step is known, the correction B alone.
 using ClusterFlux = std::array<std::array<float, cluster_size>, 9>;
 
 /// The data of particles and their mirror images that their neighbours read.
@@ -59,7 +60,6 @@ struct PairData {
   std::vector<ClusterFlux> flux;     ///< by clusters
   std::vector<float> pressure;       ///< Pa, by places; used where damage follows that of the neighbours only
   std::vector<float> smoothing;      ///< in quanta, by places; used with variable smoothing length only
-  std::array<std::vector<float>, 9> correction; ///< B, row first; of particles only, empty for the standard form
 };
 
 /// The renormalised symmetric form: gradients corrected so that linear fields are exact, forces their transpose
@@ -156,6 +156,7 @@ SphBody<T, Law, Kernel, Form> add_sph_body(Nodes<T> &nodes, const ParticleLayout
   body.symmetry = symmetry;
   body.spacing = layout.spacing;
   body.nodes = add_nodes(nodes, layout.positions);
+  body.point_mass.reserve(layout.volumes.size());
   for (Index i = 0; i < body.nodes.size(); ++i) {
     require(layout.volumes[i] > T(0), body.name + " particle volume (m3)", layout.volumes[i], "must be positive");
     body.point_mass.push_back(metal.density * layout.volumes[i]);

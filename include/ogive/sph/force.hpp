@@ -66,7 +66,8 @@ PairForces pair_forces(const PairData &d, const Neighbours<T> &neighbours, Index
   return sums;
 }
 
-/// Brings what neighbours see of the stress up to date: G = sigma B times the volume, and the density.
+/// Brings what neighbours see of the stress up to date: G = sigma B times the volume, in the place of B, and the
+/// density.
 template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, Law, K, F> &body) {
   PairData &d = body.pair_data;
   const Neighbours<T> &n = body.neighbours;
@@ -79,7 +80,7 @@ template <class T, class Law, class K, class F> void gather_fluxes(SphBody<T, La
       Mat3<float> G = full(sigma).template cast<float>();
       if (corrected) {
         Mat3<float> B;
-        for (int m = 0; m < 9; ++m) B(m / 3, m % 3) = d.correction[m][k];
+        for (int m = 0; m < 9; ++m) B(m / 3, m % 3) = d.flux[c][m][l];
         G = product(G, B);
       }
       const float volume = is_filler(n, k) ? 0.0F : static_cast<float>(body.point_mass[i] / p.density[i]);

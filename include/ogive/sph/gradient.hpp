@@ -4,6 +4,8 @@
 #include "ogive/core/parallel.hpp"
 #include "ogive/sph/body.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -55,15 +57,14 @@ template <class T, class Law, class K, class F> bool sees_neighbours(const SphBo
 template <class T, class Law, class K, class F>
 void build_lists(SphBody<T, Law, K, F> &body, std::span<const Vec3<T>> x, T support) {
   const T skin = body.options.skin_ratio * body.spacing;
+  release(body.pair_data.flux); // makes way for what the search needs; each step writes it anew
   build_neighbours(body.neighbours, x, body.symmetry, support, skin);
   PairData &d = body.pair_data;
-  const std::size_t seen = places(body.neighbours), own = body.neighbours.order.size();
+  const std::size_t seen = places(body.neighbours);
   resize_tightly(d.motion, seen / cluster_size);
   resize_tightly(d.flux, seen / cluster_size);
   if (body.options.variable_smoothing) resize_tightly(d.smoothing, seen);
   if (sees_neighbours(body)) resize_tightly(d.pressure, seen);
-  if (is_corrected(body))
-    for (auto &B : d.correction) resize_tightly(B, own);
 }
 
 /// Brings neighbour lists and pair data up to date. Reads positions and velocities of the nodes and density, damage
@@ -189,6 +190,15 @@ template <class N> Mat3<N> correction_matrix(const Mat3<N> &moment) {
   return B;
 }
 
+/// Writes component `k` at the places from `first` on, a pack of them, in single precision.
+template <class T> void store_by_clusters(std::vector<ClusterFlux> &flux, int k, Index first, const Pack<T> &values) {
+  constexpr Index length = std::min(lanes<T>, cluster_size);
+  std::array<float, lanes<T>> narrow;
+  store_narrow(narrow.data(), values);
+  for (Index at = 0; at < lanes<T>; at += length)
+    std::copy_n(&narrow[at], length, &flux[(first + at) / cluster_size][k][(first + at) % cluster_size]);
+}
+
 /// Velocity gradient at every particle: L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] B_i; B = I in the standard form.
 /// Reads the neighbour lists and pair data that prepare() has brought up to date. Writes the points' velocity gradients
 /// and, where damage follows it, mean pressure of the neighbours; for add_internal_force() the corrections B and the
@@ -213,7 +223,7 @@ template <class T, class Law, class K, class F> void velocity_gradient(SphBody<T
         if (corrected) {
           const Mat3<Pack<T>> B = correction_matrix(moment_of<T>(sums, at, norm * quantum * quantum));
           L = product(L, B);
-          for (int k = 0; k < 9; ++k) store_narrow(&d.correction[k][first], B(k / 3, k % 3));
+          for (int k = 0; k < 9; ++k) store_by_clusters(d.flux, k, first, B(k / 3, k % 3));
         }
         for_each_lane(body, first, [&](Index i, Index lane) {
           body.points.velocity_gradient[i] = lane_of(L, lane);
