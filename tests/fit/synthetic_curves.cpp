@@ -75,7 +75,7 @@ std::vector<std::vector<double>> rows_of(const ogive::Metal<double, Law> &metal,
 
 /// Whether the table's last four columns hold these rows, the stress to its two decimals.
 void check_table(const std::string &name, const std::vector<std::vector<double>> &expected) {
-  const std::string text = read_text(std::string(OGIVE_DATA_FOLDER) + "/" + name);
+  const std::string text = read_text(std::filesystem::path(OGIVE_DATA_FOLDER) / name);
   std::size_t row = 0, wrong = 0;
   bool header = true;
   ogive::for_each_csv_row(text, name, 5, [&](const ogive::CsvRow &found) {
