@@ -11,6 +11,7 @@ target_compile_options(
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
             # And of writes beyond the end (GCC bug 105329).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
             # GCC 12 warns of its own AVX-512 intrinsics (GCC bug 105593).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>

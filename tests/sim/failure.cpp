@@ -30,8 +30,9 @@ template <class M> void tear(M model) {
     if (model.steps % 10 == 0) worst = std::max(worst, std::abs(total(energy(model)) / e - 1));
   }
   CHECK_FALSE(find_not_finite(model));
-  // Each force has its counterforce, whatever has failed: round-off of some hundred steps in single precision.
-  CHECK((momentum_of(model.nodes, {0, model.nodes.size()}) - p).norm() < 1e-7 * p.norm());
+  // Each force has its counterforce, whatever has failed: round-off of some hundred steps in single precision, 1.2e-7
+  // at most with registers of 256 and 512 bits.
+  CHECK((momentum_of(model.nodes, {0, model.nodes.size()}) - p).norm() < 3e-7 * p.norm());
   double after = 0;
   for (double m : model.nodes.mass) after += m;
   CHECK(after == mass);
