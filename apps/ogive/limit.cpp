@@ -46,8 +46,7 @@ options::Table table_of(shot::Options &o, LimitOptions &l) {
       .limits = {1, 1000, ""}, .in_file = false});
   options::add(t, l.check, {.key = "check",
       .meaning = "compare the limit with a prediction.json of an earlier search for the same case; status 3 if it is "
-      "not "
-      "confirmed",
+      "not confirmed",
       .source = "none", .in_file = false}).placeholder = "FILE.json";
   return t;
 }
