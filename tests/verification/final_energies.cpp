@@ -112,8 +112,8 @@ Rung final_energies(const std::string &reference, bool write) {
     Line line{{end.name}, false};
     for (const double e : end.energies) line.cells.push_back(digits(e, "%#.10g"));
     line.cells.push_back("`" + end.hash + "`");
-    // The reference is that of eight doubles in a pack. Other packs add the pairs, of single precision, in another order:
-    // 1.2e-6 was measured with four, in the standard form.
+    // The reference is that of eight doubles in a pack. Other packs add the pairs, of single precision, in another
+    // order: 1.2e-6 was measured with four, in the standard form.
     constexpr double bound = lanes<double> == 8 ? 1e-7 : 3e-6;
     if (old == expected.end()) {
       line.cells.insert(line.cells.end(), {"no reference", roughly(bound), ""});
