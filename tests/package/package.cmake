@@ -27,7 +27,8 @@ set_tests_properties(
   "package:every header compiles alone" "package:found where it was installed" "package:the same without VTK"
   "package:compiled by Clang" "package:other versions are refused" PROPERTIES FIXTURES_REQUIRED installed)
 # Long ones begin first: at the end nothing else could use the other cores.
-set_tests_properties("package:installs" "package:every header compiles alone" PROPERTIES COST 200)
+set_tests_properties("package:installs" "package:every header compiles alone" "package:found where it was installed"
+                     PROPERTIES COST 200)
 add_package_test("a subdirectory" subdirectory)
 add_package_test("compilers that do not fit are refused" compilers)
 if(TARGET ogive_main AND OGIVE_INSTALL)
@@ -53,6 +54,7 @@ if(Python3_FOUND AND Doxygen_FOUND AND mathjax_folder)
       ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR} ${work}/website --build-generator ${CMAKE_GENERATOR}
       --build-target docs --build-options -D OGIVE_BUILD_DOCS=ON -D OGIVE_BUILD_APPS=OFF -D OGIVE_BUILD_TESTS=OFF -D
       OGIVE_BUILD_BENCH=OFF -D OGIVE_BUILD_EXAMPLES=OFF)
+  set_tests_properties("package:the website has no broken link and no undocumented name" PROPERTIES COST 200)
 else()
   message(STATUS "The test of the website is left out: it needs Doxygen 1.9, MathJax and Python 3.11")
 endif()

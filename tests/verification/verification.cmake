@@ -3,7 +3,7 @@ find_package(CLI11 REQUIRED)
 
 file(GLOB verification_sources CONFIGURE_DEPENDS verification/*.cpp)
 ogive_program(verification SOURCES ${verification_sources} LIBRARIES CLI11::CLI11)
-ogive_use_instances(verification ogive_fixed_instances)
+ogive_use_instances(verification)
 ogive_share_compilation(verification)
 # The time loop of the shots on record is compiled alone.
 set_source_files_properties(verification/final_energies.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
