@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from . import fits
-from .data import PAGE, PROGRAMS, ROOT, InputError, build, short
+from .data import PAGE, PROGRAMS, ROOT, InputError, build, read_table, short
 from .page import make_page
 from .published import keep, take_kept, take_published
 
@@ -33,6 +33,11 @@ class Shot:
 
     def last_us(self):
         return max((float(frame.get("timestep")) for frame in xml.parse(self.series).iter("DataSet")), default=-math.inf)
+
+    def velocity_mps(self, time_us):
+        """Of the projectile, at the row of the history nearest to the time."""
+        rows = read_table(self.folder / "history.csv", ("time_us", "velocity_m_per_s"))
+        return min(rows, key=lambda row: abs(row["time_us"] - time_us))["velocity_m_per_s"]
 
 
 def times(shots, wanted):
@@ -104,20 +109,22 @@ class Campaign:
         steel_10, steel_6 = shot("weldox_460e", "blunt", 10, 180), shot("weldox_460e", "blunt", 6, 160)
         if steel_10.is_there(f"7{suffix}"):
             title = ["--title", f"Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s{text}"]
-            options = [*at([steel_10], (0, 10, 20, 30, 40, 50, 60, 80)), *title]
+            options = [*at([steel_10], (0, 10, 20, 40, 60, 100, 150, 220)), *title]
             self.draw(f"7{suffix}", [steel_10], *options)
             self.draw(f"7_temperature{suffix}", [steel_10], "--colour", "temperature", *options)
             self.film(f"7{suffix}", steel_10, *title)
         if all([steel_6.is_there(f"8{suffix}"), steel_10.is_there(f"8{suffix}")]):
-            both, frames = [steel_6, steel_10], times([steel_6, steel_10], (0, 15, 30, 45, 60))
-            labels = [f"{plate}, {time} µs" for plate in ("(a) 6 mm", "(b) 10 mm") for time in frames]
+            both, frames = [steel_6, steel_10], times([steel_6, steel_10], (0, 15, 30, 60, 125))
+            labels = [f"{plate}, {time} µs, {one.velocity_mps(time):.0f} m/s"
+                      for plate, one in (("(a) 6 mm", steel_6), ("(b) 10 mm", steel_10)) for time in frames]
             self.draw(f"8{suffix}", both, *at(both, frames), "--label", *labels, "--columns", len(frames), "--title",
                       f"Fig. 8: Weldox 460 E, blunt: (a) 6 mm, 160 m/s; (b) 10 mm, 180 m/s{text}")
         sections = [shot("weldox_460e", "blunt", *pair)
                     for pair in ((6, 110), (8, 135), (10, 160), (12, 195), (16, 240), (20, 310))]
         if all([section.is_there(f"10{suffix}") for section in sections]):
-            self.draw(f"10{suffix}", sections, "--label", *(f"{s.thickness} mm, {s.velocity} m/s" for s in sections),
-                      "--columns", 3, "--times-us", "last", "--title", f"Fig. 10: Weldox 460 E, blunt, last frame{text}")
+            labels = [f"{s.thickness} mm, {s.velocity} to {s.velocity_mps(s.last_us()):.0f} m/s" for s in sections]
+            self.draw(f"10{suffix}", sections, "--label", *labels, "--columns", 3, "--times-us", "last", "--title",
+                      f"Fig. 10: Weldox 460 E, blunt, last frame{text}")
         aluminium = shot("aa5083_h116", "conical", 15, 214)
         if aluminium.is_there(f"14{suffix}"):
             title = ["--title", f"Fig. 14: 15 mm AA5083-H116, conical, 214 m/s{text}"]

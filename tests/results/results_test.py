@@ -724,6 +724,8 @@ class Figures(unittest.TestCase):
         (folder / "summary.json").write_text("{}")
         frames = "".join(f'<DataSet timestep="{time}" part="0" file="{time}.vtm"/>' for time in times)
         (folder / "perforation.pvd").write_text(f'<?xml version="1.0"?><VTKFile><Collection>{frames}</Collection></VTKFile>')
+        rows = "".join(f"{time},{180 - time}\n" for time in times)
+        (folder / "history.csv").write_text("time_us,velocity_m_per_s\n" + rows)
         return folder
 
     def test_pictures_of_the_shots_that_are_there(self):
@@ -735,11 +737,12 @@ class Figures(unittest.TestCase):
         self.assertEqual([Path(command[0]).name for command in drawn], [
             "figure_7_stabilised.png", "figure_7_temperature_stabilised.png", "figure_7_stabilised.webm",
             "figure_8_stabilised.png"])
-        self.assertEqual(drawn[0][2:7], ["draw", "--series", str(thick), "--times-us", "0,10,20,30,40"])
+        self.assertEqual(drawn[0][2:7], ["draw", "--series", str(thick), "--times-us", "0,10,20,40"])
         self.assertEqual(drawn[2][2:6], ["draw", "--series", str(thick), "--title"])
         self.assertEqual(drawn[2][7:8], ["--animate"])
         self.assertEqual(drawn[3][2:13], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
-                                          "(a) 6 mm, 0 µs", "(a) 6 mm, 15 µs", "(a) 6 mm, 30 µs", "(b) 10 mm, 0 µs"])
+                                          "(a) 6 mm, 0 µs, 180 m/s", "(a) 6 mm, 15 µs, 180 m/s", "(a) 6 mm, 30 µs, 150 m/s",
+                                          "(b) 10 mm, 0 µs, 180 m/s"])
         self.assertIn("figure 14_stabilised is left out: no shot with frames", said.getvalue())
 
     def test_a_picture_newer_than_its_series_stays(self):
