@@ -1,5 +1,7 @@
 """The tables of docs/performance.md from what bench_step has measured."""
 
+from pathlib import Path
+
 from .data import ROOT, read_json
 from .insert import insert
 
@@ -32,8 +34,8 @@ def bounds(shot, timing, limits):
         yield [loop, *counts, f"{work['bytes'] / shot['particles']:.0f}", f"{100 * of_triad:.0f}", bound]
 
 
-def tables(report, earlier=None):
-    """All tables; with an earlier measurement, the times of that one beside those of `report`."""
+def tables(report, earlier=None, name=""):
+    """All tables; with an earlier measurement, the times of that one, of the version `name`, beside those of `report`."""
     shots = [{"method": "paper", "lane_pairs_of_entry": report["lane_pairs_of_entry"], **shot} for shot in report["shots"]]
     every = [(shot, timing, limits) for shot in shots for timing, limits in zip(shot["timings"], report["limits"])]
     before = {(shot.get("method", "paper"), round(shot["particles"], -3), timing["threads"]): (shot, timing)
@@ -68,7 +70,7 @@ def tables(report, earlier=None):
     return "\n\n".join([
         f"Made by `bench/performance.sh` with ogive {report['version']} on {report['cores']} cores, registers of "
         f"{report['register_bits']} bits; medians of {report['repeats']} "
-        f"measurement{'' if report['repeats'] == 1 else 's'}. The machine: "
+        f"measurement{'' if report['repeats'] == 1 else 's'}{f'; *before* is commit {name}' if earlier else ''}. The machine: "
         + "; ".join(f"{m['threads']} thread{'' if m['threads'] == 1 else 's'}: triad {m['triad_byte_per_s'] * 1e-9:.1f} GB/s, "
                     f"multiply-adds {m['flop_per_s'] * 1e-9:.0f} Gflop/s" for m in report["limits"]) + ".",
         "Wall time, ns per particle and step; *lists* is what a step takes longer in which the lists are built anew; "
@@ -87,7 +89,7 @@ def tables(report, earlier=None):
 
 def make_tables(file, put_in=False, before=None):
     """Prints the tables of a measurement, and puts them into their page."""
-    text = tables(read_json(file), read_json(before) if before else None)
+    text = tables(read_json(file), read_json(before), Path(before).stem) if before else tables(read_json(file))
     print(text)
     if put_in:
         insert(ROOT / "docs" / "performance.md", text, "tables: bench/performance.sh")
