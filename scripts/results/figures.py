@@ -11,7 +11,7 @@ from pathlib import Path
 from . import fits
 from .data import PAGE, PROGRAMS, ROOT, InputError, build, read_table, short
 from .page import make_page
-from .published import keep, take_kept, take_published
+from .published import keep, keep_pictures, take_kept, take_published
 
 CAMPAIGNS = ("steel_blunt", "nose_shapes", "aluminium_conical")
 METHODS = ("paper", "stabilised")
@@ -26,9 +26,11 @@ class Shot:
         self.series = self.folder / "perforation.pvd"
 
     def is_there(self, number):
+        """Whether it has frames; if not, that is said unless the picture is there already."""
         if self.series.exists() and (self.folder / "summary.json").exists():
             return True
-        print(f"figure {number} is left out: no shot with frames in {self.folder}")
+        if not (self.folder.parents[1] / f"figure_{number}.png").exists():
+            print(f"figure {number} is left out: no shot with frames in {self.folder}")
         return False
 
     def last_us(self):
@@ -115,14 +117,14 @@ class Campaign:
             self.film(f"7{suffix}", steel_10, *title)
         if all([steel_6.is_there(f"8{suffix}"), steel_10.is_there(f"8{suffix}")]):
             both, frames = [steel_6, steel_10], times([steel_6, steel_10], (0, 15, 30, 60, 125))
-            labels = [f"{plate}, {time} µs, {one.velocity_mps(time):.0f} m/s"
+            labels = [f"{plate}, {time} µs, {round(one.velocity_mps(time))} m/s"
                       for plate, one in (("(a) 6 mm", steel_6), ("(b) 10 mm", steel_10)) for time in frames]
             self.draw(f"8{suffix}", both, *at(both, frames), "--label", *labels, "--columns", len(frames), "--title",
                       f"Fig. 8: Weldox 460 E, blunt: (a) 6 mm, 160 m/s; (b) 10 mm, 180 m/s{text}")
         sections = [shot("weldox_460e", "blunt", *pair)
                     for pair in ((6, 110), (8, 135), (10, 160), (12, 195), (16, 240), (20, 310))]
         if all([section.is_there(f"10{suffix}") for section in sections]):
-            labels = [f"{s.thickness} mm, {s.velocity} to {s.velocity_mps(s.last_us()):.0f} m/s" for s in sections]
+            labels = [f"{s.thickness} mm, {s.velocity} to {round(s.velocity_mps(s.last_us()))} m/s" for s in sections]
             self.draw(f"10{suffix}", sections, "--label", *labels, "--columns", 3, "--times-us", "last", "--title",
                       f"Fig. 10: Weldox 460 E, blunt, last frame{text}")
         aluminium = shot("aa5083_h116", "conical", 15, 214)
@@ -159,6 +161,8 @@ def make_figures(quick, page_only, published, method, jobs):
     for name in METHODS:
         if name == "paper" or any(figures.glob(f"shots/{name}_*")):
             campaign.pictures(name)
+    if keeps and not published:
+        keep_pictures(picture for number in (7, 8, 10, 14) for picture in figures.glob(f"figure_{number}[._]*png"))
     try:
         make_page(figures, page, spacing_mm=campaign.spacing)
     except InputError as error:

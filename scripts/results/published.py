@@ -1,6 +1,6 @@
 """What is known of a campaign, where the programs of the figures find it: shots_published.csv from a page, with the projectiles'
 masses and the pictures beside it, and shots_kept.csv, the rows that are kept in bench/rows/figures from one machine to the
-next. Pictures that are there stay. Shots of the paper's method on a page that do not lie on its cubic lattice are left out: they
+next, with the pictures, whose frames are not kept. Pictures that are there stay. Shots of the paper's method on a page that do not lie on its cubic lattice are left out: they
 are run again. Kept rows must be deleted after a change of the method."""
 
 import shutil
@@ -9,6 +9,12 @@ from .data import (KEY_COLUMNS, PROJECTILE_COLUMNS, RECORD_COLUMNS, ROOT, SHOT_C
                    read_projectiles, read_shots, read_table, write_text)
 
 KEPT = ROOT / "bench" / "rows" / "figures"
+
+
+def copy_missing(pictures, folder):
+    for picture in sorted(pictures):
+        if not (folder / picture.name).exists():
+            shutil.copyfile(picture, folder / picture.name)
 
 
 def joined_rows(page):
@@ -28,20 +34,19 @@ def take_published(page, folder):
     columns, known = list(rows[0].text), [row for row in rows if not is_on_rings(row)]
     write_text(folder / "shots_published.csv", csv_text(columns, known))
     shutil.copyfile(page / "data" / "projectiles.csv", folder / "projectiles.csv")
-    for picture in sorted([*page.glob("*.png"), *page.glob("*.svg")]):
-        if not (folder / picture.name).exists():
-            shutil.copyfile(picture, folder / picture.name)
+    copy_missing([*page.glob("*.png"), *page.glob("*.svg")], folder)
     left_out = f", {len(rows) - len(known)} on the ring lattice are left out" if len(known) < len(rows) else ""
     print(f"{folder / 'shots_published.csv'}: {len(known)} shots{left_out}")
 
 
 def take_kept(folder):
-    """Puts the kept rows into the folder of a campaign."""
+    """Puts the kept rows and pictures into the folder of a campaign."""
     if (KEPT / "shots.csv").exists():
         folder.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(KEPT / "shots.csv", folder / "shots_kept.csv")
         if not (folder / "projectiles.csv").exists():
             shutil.copyfile(KEPT / "projectiles.csv", folder / "projectiles.csv")
+        copy_missing(KEPT.glob("*.png"), folder)
 
 
 def keep(folder):
@@ -51,3 +56,8 @@ def keep(folder):
         KEPT.mkdir(parents=True, exist_ok=True)
         write_text(KEPT / "shots.csv", csv_text(list(rows[0].text), rows))
         write_text(KEPT / "projectiles.csv", csv_text(PROJECTILE_COLUMNS, read_projectiles(folder)))
+
+
+def keep_pictures(pictures):
+    for picture in pictures:
+        shutil.copyfile(picture, KEPT / picture.name)

@@ -367,7 +367,11 @@ class Page(Folders):
             published.take_kept(again)
             self.assertFalse(again.exists())  # nothing is kept yet
             published.keep(self.folder)
+            picture = self.folder / "figure_10.png"
+            picture.write_bytes(b"sections")
+            published.keep_pictures([picture])
             published.take_kept(again)
+            self.assertEqual((again / picture.name).read_bytes(), b"sections")
             found = read_shots(again)
             self.assertEqual([row.text for row in found], [row.text for row in read_shots(self.folder)])
             self.assertTrue((again / "projectiles.csv").exists())
