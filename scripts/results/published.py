@@ -1,7 +1,8 @@
 """What is known of a campaign, where the programs of the figures find it: shots_published.csv from a page, with the projectiles'
 masses and the pictures beside it, and shots_kept.csv, the rows that are kept in bench/rows/figures from one machine to the
-next, with the pictures, whose frames are not kept. Pictures that are there stay. Shots of the paper's method on a page that do not lie on its cubic lattice are left out: they
-are run again. Kept rows must be deleted after a change of the method."""
+next, with the pictures, whose frames are not kept. Pictures that are there stay. Shots of the paper's method on a page that do
+not lie on its cubic lattice are left out: they are run again. Kept rows and pictures must be deleted after a change of the
+method."""
 
 import shutil
 
