@@ -56,8 +56,10 @@ options::Table table_of(const Figures &figures, FigureOptions &o, StudyOptions &
   add_choice(t, o.model, {.key = "model", .meaning = "flow law: mjc, jc or both; pictures have mjc alone",
       .source = "ours", .brief = "flow law: mjc, jc or both", .allowed = "mjc, jc or both"},
       {"mjc", "jc", "both"});
-  options::add(t, o.spacing_mm, {.key = "spacing_mm", .meaning = "particle distance", .source = "paper",
-      .brief = "particle distance", .limits = {0.05, 5, "mm"}});
+  options::add(t, o.spacing_mm, {.key = "spacing_mm",
+      .meaning = "particle distance of all shots; as listed: 0.6 mm for blunt, 1 mm for sharp noses",
+      .source = "as listed: paper, for blunt noses", .brief = "particle distance of all shots",
+      .limits = {0.05, 5, "mm"}});
   options::add(t, o.limits, {.key = "limits", .meaning = "bisect the ballistic limits", .source = "ours"});
   options::add(t, o.pictures, {.key = "pictures", .meaning = "run the shots that only pictures need, and write frames",
       .source = "ours"});
@@ -130,7 +132,7 @@ std::vector<FigureShot> listed_shots(const Figures &figures, const FigureOptions
   for (const char *model : {"mjc", "jc"}) {
     if (o.method != methods[0] ? model != std::string_view("mjc") : o.model != "both" && o.model != model) continue;
     for (const auto &row : experiment::read_rows(file)) {
-      if (row.size() != 9) throw ogive::SetupError(file.string() + ": fields in a row: must be 9");
+      if (row.size() != 10) throw ogive::SetupError(file.string() + ": fields in a row: must be 10");
       if (row[1] != figures.name || (row[3] != "both" && row[3] != model)) continue;
       const bool picture = row[2] == "picture";
       if (picture && !o.pictures) continue;
@@ -138,15 +140,16 @@ std::vector<FigureShot> listed_shots(const Figures &figures, const FigureOptions
       // Figs. 9 and 13 are the limits of the plates of Figs. 6 and 12.
       const bool limits_too = !picture && o.figure != 0 && o.figure == (figure == 6 ? 9 : figure == 12 ? 13 : -1);
       if (o.figure != 0 && o.figure != figure && !limits_too) continue;
-      const bool frames = o.pictures && !row[8].empty();
+      const bool frames = o.pictures && !row[9].empty();
       std::vector<Given> given;
       const auto give = [&](const std::string &key, const std::string &value) {
         given.push_back({key, file.string() + ": " + key, value});
       };
       give("method", o.method), give("model", model), give("material", row[4]), give("nose", row[5]);
-      give("thickness_mm", row[6]), give("velocity_mps", row[7]), give("spacing_mm", options::shortest(o.spacing_mm));
+      give("thickness_mm", row[6]), give("velocity_mps", row[7]);
+      give("spacing_mm", o.spacing_mm == 0 ? row[8] : options::shortest(o.spacing_mm));
       give("vtk", frames ? "true" : "false");
-      if (frames) give("output_every_us", row[8]);
+      if (frames) give("output_every_us", row[9]);
       shots.push_back({figure, picture, case_of(shot::settled({{given}}), {}, "")});
     }
   }

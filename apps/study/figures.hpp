@@ -31,10 +31,10 @@ struct FigureOptions {
   int figure = 0; ///< this one alone; 0: all
   bool quick = false;
   std::string method = "paper"; ///< of the shots that are run; curves of all methods that are known are drawn
-  std::string model = "both"; ///< mjc, jc or both; other methods than the paper's have mjc only
-  double spacing_mm = 0.6;
-  bool limits = true;   ///< bisection of the ballistic limits
-  bool pictures = true; ///< shots that are for pictures alone, and frames
+  std::string model = "both";   ///< mjc, jc or both; other methods than the paper's have mjc only
+  double spacing_mm = 0;        ///< of all shots; 0: that of each in the list
+  bool limits = true;           ///< bisection of the ballistic limits
+  bool pictures = true;         ///< shots that are for pictures alone, and frames
   std::filesystem::path out = "vtk_out/figures";
 };
 

@@ -38,7 +38,7 @@ def read_options():
     def checked(option):
         option("--checks", type=Path, action="append",
                help="a file with checks; may be repeated [docs/results/acceptance.toml and acceptance_beyond.toml]")
-        option("--spacing-mm", type=float, help="particle distance of the runs [that of the checks]")
+        option("--spacing-mm", type=float, help="particle distance of all runs [as in apps/data/figure_shots.csv]")
 
     def inserted(option):
         option("--insert", action="store_true", dest="put_in", help="put the tables into their page in docs/, too")

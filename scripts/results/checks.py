@@ -85,7 +85,7 @@ class Check:
         if not self.figures or not all(isinstance(f, int) and 0 <= f <= 99 for f in self.figures):
             self.refuse("figure", "must be the number of a figure or a list of them, 0 for all runs")
         self.measure, units, needed, allowed = KINDS[table["kind"]]
-        known = {"id", "figure", "statement", "against", "reason", "kind", "method", "model", "spacing_mm", *needed,
+        known = {"id", "figure", "statement", "against", "reason", "kind", "method", "model", *needed,
                  *allowed}
         self.method = self.value("method", str) if "metal" in needed else "all"
         self.bounds = []
@@ -134,9 +134,17 @@ class Check:
         """All noses with all thicknesses."""
         return list(itertools.product(self.several("nose", str), self.several("thickness_mm", NUMBER)))
 
+    def distance_mm(self, nose, metal=None, thickness_mm=None):
+        """Particle distance of the shots of a nose, on any plate or on one, that a check is about."""
+        listed = self.tests.distance_mm(nose, metal, thickness_mm)
+        if listed is None:
+            self.refuse("nose", "must be of a plate that has a shot in figure_shots.csv")
+        return listed
+
     def _series(self, rows, nose, thickness_mm, model=None):
-        return of_plate(rows, self.value("metal", str), nose, thickness_mm, model or self.value("model", str),
-                        self.value("method", str), self.value("spacing_mm", NUMBER))
+        metal = self.value("metal", str)
+        return of_plate(rows, metal, nose, thickness_mm, model or self.value("model", str), self.value("method", str),
+                        spacing_mm=self.distance_mm(nose, metal, thickness_mm))
 
     def shots(self, nose, thickness_mm, model=None):
         """Those of the law of the check or of another one."""
@@ -201,14 +209,12 @@ class Check:
         return "pass", number, where, 0 if self.is_yes_or_no() else share
 
 
-def run_checks(results, tests, files=FILES, spacing_mm=None):
-    """All checks of some files; `spacing_mm` replaces the particle distance of their [defaults]."""
+def run_checks(results, tests, files=FILES):
+    """All checks of some files."""
     checks = []
     for file in files:
         tables = read_toml(file)
         defaults = tables.get("defaults", {})
-        if spacing_mm is not None:
-            defaults["spacing_mm"] = spacing_mm
         if not tables.get("check"):
             raise InputError(f"{file}: has no [[check]]")
         checks += [Check(table, defaults, results, tests, Path(file)) for table in tables["check"]]

@@ -154,11 +154,11 @@ def plate_of(row):
     return metal_of(row["material"]), row["nose"], row["thickness_mm"]
 
 
-def of_plate(rows, metal, nose, thickness_mm, model="mjc", method="paper", spacing_mm=None):
-    """Rows of shots or limits of a plate, at any particle distance if that is None."""
+def of_plate(rows, metal, nose, thickness_mm, model="mjc", method="paper", *, spacing_mm):
+    """Rows of shots or limits of a plate."""
     return [row for row in rows if metal_of(row["material"]) == metal and row["nose"] == nose
             and row["method"] == method and row["model"] == model and close(row["thickness_mm"], thickness_mm)
-            and (spacing_mm is None or close(row["spacing_mm"], spacing_mm))]
+            and close(row["spacing_mm"], spacing_mm)]
 
 
 def _first_of_each(rows, columns):
@@ -290,15 +290,22 @@ class Results:
 
 
 class Tests:
-    """The tables in apps/data."""
+    """The tables in apps/data; `spacing_mm` replaces the particle distances of the listed shots."""
 
-    def __init__(self):
+    def __init__(self, spacing_mm=None):
+        self.spacing_mm = spacing_mm
         self.shots, self.limits, self.listed, self.paper = (read_table(TESTS / f"{name}.csv") for name in (
             "experiment_shots", "experiment_limits", "figure_shots", "paper_simulations"))
 
     def _of(self, rows, metal, nose, thickness_mm):
         return [row for row in rows if row["material"] == metal and row["nose"] == nose
                 and close(row["thickness_mm"], thickness_mm, 0.01)]
+
+    def distance_mm(self, nose, metal=None, thickness_mm=None):
+        """Particle distance of the listed shots with a nose, on any plate or on one; None where none is listed."""
+        found = (row["spacing_mm"] for row in self.listed
+                 if row["nose"] == nose and (metal is None or plate_of(row) == (metal, nose, thickness_mm)))
+        return next(found, None) if self.spacing_mm is None else self.spacing_mm
 
     def shots_of(self, *plate):
         return self._of(self.shots, *plate)

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from . import fits
-from .data import PAGE, PROGRAMS, ROOT, InputError, build, read_table, short
+from .data import PAGE, PROGRAMS, ROOT, InputError, Tests, build, metal_of, read_table, short
 from .page import make_page
 from .published import keep, keep_pictures, take_kept, take_published
 
@@ -51,8 +51,8 @@ def times(shots, wanted):
 class Campaign:
     """Where a campaign is, and the steps of it that failed."""
 
-    def __init__(self, figures, programs, spacing):
-        self.figures, self.programs, self.spacing, self.failed = figures, programs, spacing, []
+    def __init__(self, figures, programs, spacing_mm=None):
+        self.figures, self.programs, self.tests, self.failed = figures, programs, Tests(spacing_mm), []
 
     def attempt(self, text, *command, **options):
         """Runs a command; if it fails that is reported at the end."""
@@ -79,7 +79,7 @@ class Campaign:
         if (self.figures / "figure_5.png").exists():
             return
         self.attempt("figure 5", self.programs / "ogive", "mesh", "--method", "paper", "--thickness-mm", 12, "--spacing-mm",
-                     self.spacing, "--out", model, stdout=subprocess.DEVNULL)
+                     self.tests.distance_mm("blunt"), "--out", model, stdout=subprocess.DEVNULL)
         self.draw(5, [], "--mesh", model)
 
     def film(self, number, shot, *options):
@@ -103,7 +103,8 @@ class Campaign:
         suffix, text = ("", "") if method == "paper" else (f"_{method}", f", {method}")
 
         def shot(material, nose, thickness, velocity):
-            return Shot(self.figures, method, material, nose, thickness, velocity, self.spacing)
+            distance = self.tests.distance_mm(nose, metal_of(material), thickness)
+            return Shot(self.figures, method, material, nose, thickness, velocity, distance)
 
         def at(shots, wanted):
             return ["--times-us", ",".join(map(str, times(shots, wanted)))]
@@ -148,8 +149,9 @@ def make_figures(quick, page_only, published, method, jobs):
         take_kept(figures)
     if published:
         take_published(page, figures)
-    campaign = Campaign(figures, programs, 1.5 if quick else 0.6)
-    options = ["--method", method, "--out", figures, "--spacing-mm", short(campaign.spacing), *(["--quick"] if quick else []),
+    spacing_mm = 1.5 if quick else None
+    campaign = Campaign(figures, programs, spacing_mm)
+    options = ["--method", method, "--out", figures, *(["--quick"] if quick else []),
                *(["--no-pictures"] if published else []), *(["--no-run"] if page_only else ["--jobs", jobs] if jobs else [])]
     for name in CAMPAIGNS:
         campaign.attempt(name, programs / name, *options, stdout=subprocess.DEVNULL if page_only else None)
@@ -164,7 +166,7 @@ def make_figures(quick, page_only, published, method, jobs):
     if keeps and not published:
         keep_pictures(picture for number in (7, 8, 10, 14) for picture in figures.glob(f"figure_{number}[._]*png"))
     try:
-        make_page(figures, page, spacing_mm=campaign.spacing)
+        make_page(figures, page, spacing_mm=spacing_mm)
     except InputError as error:
         campaign.failed.append(f"page ({error})")
     for text in campaign.failed:

@@ -138,10 +138,10 @@ def particle_count(check):
 
 
 def projectile_mass(check):
-    mass_g, spacing_mm = check.value("mass_g", NUMBER), check.value("spacing_mm", NUMBER)
+    mass_g = check.value("mass_g", NUMBER)
     for nose in check.several("nose", str):
         found = [row["projectile_mass_g"] for row in check.results.projectiles
-                 if row["nose"] == nose and close(row["spacing_mm"], spacing_mm)]
+                 if row["nose"] == nose and close(row["spacing_mm"], check.distance_mm(nose))]
         if not found:
             raise Missing(f"no shot with the {nose} nose")
         yield percent_of(found[0], mass_g), f"{nose}, {short(found[0])} g, the largest error"

@@ -41,14 +41,13 @@ class Page:
     """All that was read, the results of the checks, and the tables that the template lays out."""
 
     def __init__(self, folder, checks, spacing_mm=None):
-        self.results, self.tests, self.facts = data.Results(folder), data.Tests(), read_facts()
-        self.usual_mm = data.read_toml(checks[0]).get("defaults", {}).get("spacing_mm", 0)
-        self.spacing_mm = self.usual_mm if spacing_mm is None else spacing_mm
+        self.results, self.tests, self.facts = data.Results(folder), data.Tests(spacing_mm), read_facts()
+        self.spacing_mm = spacing_mm
         self.late_shots = "; ".join(f"{shot_text(s)}: {short(s['residual_velocity_mps'])} m/s" for s in self.results.shots
                                     if ended_by_time(s))
         self.methods = sorted({row["method"] for row in self.results.shots})
         self.beyond_methods = [method for method in self.methods if method != "paper"]
-        results = run_checks(self.results, self.tests, checks, self.spacing_mm)
+        results = run_checks(self.results, self.tests, checks)
         self.checks = of_method(results, "paper")
         self.beyond = [r for r in results if r.method in self.beyond_methods]
 
@@ -59,11 +58,16 @@ class Page:
     def checks_of(self, figure, method="paper"):
         return of_figure(of_method([*self.checks, *self.beyond], method), figure)
 
+    def of_listed(self, rows, plate, model, method="paper"):
+        """Rows of shots or limits of a plate, with the particle distance of the list."""
+        metal, nose, thickness_mm = plate
+        return of_plate(rows, *plate, model, method, spacing_mm=self.tests.distance_mm(nose, metal, thickness_mm))
+
     def limit(self, plate, model, method="paper"):
-        return next(iter(of_plate(self.results.limits, *plate, model, method, self.spacing_mm)), None)
+        return next(iter(self.of_listed(self.results.limits, plate, model, method)), None)
 
     def shot(self, plate, velocity_mps, model):
-        return next((s for s in of_plate(self.results.shots, *plate, model, "paper", self.spacing_mm)
+        return next((s for s in self.of_listed(self.results.shots, plate, model)
                      if close(s["initial_velocity_mps"], velocity_mps, 0.05)), None)
 
     def shots_of_figure(self, figure):
@@ -196,13 +200,14 @@ class Page:
 
             rows.append([plate_name(plate_of(r)),
                          LAWS.get(r["model"], r["model"]) + ("" if len(self.methods) < 2 else f", {r['method']}"),
+                         short(r["spacing_mm"]),
                          fixed(limit, 1, half_width_mps(r)) + ("" if r["consistent"] else " †"),
                          fixed(fit, 1, r["fit_limit_se_mps"]), parameter("a"), parameter("p"),
                          signed(fit - limit if fit and limit else None),
                          short(r["fit_points"]) if r["fit_points"] else "–", short(test), signed(percent_of(limit, test)),
                          short(paper), signed(percent_of(paper, test))])
-        return Table(["plate", "law", "bisection, m/s", "fit v_bl, m/s", "a", "p", "fit − bisection, m/s", "shots",
-                      "test, m/s", "error, %", "paper, m/s", "error, %"], rows, range(2, 12))
+        return Table(["plate", "law", "particles, mm", "bisection, m/s", "fit v_bl, m/s", "a", "p", "fit − bisection, m/s", "shots",
+                      "test, m/s", "error, %", "paper, m/s", "error, %"], rows, range(2, 13))
 
     def beyond_limits(self):
         methods = ["paper", *self.beyond_methods]

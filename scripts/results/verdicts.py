@@ -104,7 +104,7 @@ def counts(results):
 
 def accept(folder, figures, reasons, checks, spacing_mm):
     """Prints all checks and their counts, or the verdicts on each figure; gives 1 if a check failed or lacks its data."""
-    results = run_checks(Results(folder), Tests(), checks or FILES, spacing_mm)
+    results = run_checks(Results(folder), Tests(spacing_mm), checks or FILES)
     if figures:
         print("\n\n".join(text for method in methods_of(results)
                           for text in (f"Method `{method}`:", figure_table(results, method))))

@@ -59,6 +59,9 @@ TEST_CASE("The list has the shots of a program, figure and law") {
     for (std::size_t k = 0; k < of_limits.size(); ++k) CHECK(of_limits[k].key == of_curves[k].key);
   }
 
+  // Each nose has its own particle distance, unless all get another one.
+  for (const FigureShot &one : listed_shots(noses, {}))
+    CHECK(one.shot.options.spacing_mm == (one.shot.options.nose == ogive::Nose::blunt ? 0.6 : 1.0));
   FigureOptions coarse;
   coarse.spacing_mm = 1.5;
   CHECK(listed_shots(noses, coarse).front().shot.options.spacing_mm == 1.5);
