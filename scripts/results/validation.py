@@ -7,7 +7,7 @@ from typing import NamedTuple
 from . import cavity
 from . import sweeps as runs
 from .data import ROOT, InputError, Tests, markdown_table, metal_of
-from .limits import STEEL, open_tests, percent, repeated_limit
+from .limits import open_tests, percent, repeated_limit
 
 PLOT = ROOT / "docs" / "predicted_measured.svg"
 TEST_HALF_MPS = 5  # of the tests with 20 mm projectiles: half of the gap between stopped and perforating shots
