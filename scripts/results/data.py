@@ -200,19 +200,6 @@ def read_limits(folder):
     return _first_of_each(sorted(rows, key=newest_first), SERIES_COLUMNS)
 
 
-def cubic_particles(thickness_mm, spacing_mm, radius_mm=24):
-    """Particles of a quarter disc on the cubic lattice: those of cubic_disc in include/ogive/sph/layout.hpp."""
-    layers = max(1, int(thickness_mm / spacing_mm + 0.5))
-    reach = radius_mm * layers / thickness_mm
-    return layers * sum((i + 0.5)**2 + (j + 0.5)**2 < reach**2 for i in range(int(reach) + 1) for j in range(int(reach) + 1))
-
-
-def is_on_rings(shot):
-    """Whether a shot of the paper's method has another arrangement of particles than the paper's cubic lattice."""
-    return (shot["method"] == "paper" and bool(shot.get("particles"))
-            and shot["particles"] != cubic_particles(shot["thickness_mm"], shot["spacing_mm"]))
-
-
 def ended_by_time(shot):
     """Whether a shot ran up to the end of its time, undecided or, by versions that did not know that, at 500 or 1500 us."""
     return shot.get("perforated", 0) is None or (shot.get("simulated_us") or 0) >= (500 if shot["nose"] == "blunt" else 1500)

@@ -16,7 +16,7 @@ from markupsafe import Markup
 from . import data
 from .checks import FILES, QUESTIONS, run_checks
 from .data import (KEY_COLUMNS, LAWS, PROGRAMS, RECORD_COLUMNS, ROOT, InputError, close, csv_text, ended_by_time,
-                   half_width_mps, is_on_rings, of_plate, percent_of, plate_of, short, stale_limits, write_text)
+                   half_width_mps, of_plate, percent_of, plate_of, short, stale_limits, write_text)
 from .kinds import shot_text
 from .verdicts import headline, of_figure, of_method, read_facts, summary, verdicts_of
 
@@ -50,10 +50,6 @@ class Page:
         results = run_checks(self.results, self.tests, checks)
         self.checks = of_method(results, "paper")
         self.beyond = [r for r in results if r.method in self.beyond_methods]
-
-    def on_rings(self):
-        """The versions of the paper's shots whose particles lie on rings instead of the paper's cubic lattice."""
-        return sorted({s.get("version") or "unknown" for s in self.results.shots if is_on_rings(s)})
 
     def checks_of(self, figure, method="paper"):
         return of_figure(of_method([*self.checks, *self.beyond], method), figure)

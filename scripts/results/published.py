@@ -1,12 +1,11 @@
 """What is known of a campaign, where the programs of the figures find it: shots_published.csv from a page, with the projectiles'
 masses and the pictures beside it, and shots_kept.csv, the rows that are kept in bench/rows/figures from one machine to the
-next, with the pictures, whose frames are not kept. Pictures that are there stay. Shots of the paper's method on a page that do
-not lie on its cubic lattice are left out: they are run again. Kept rows and pictures must be deleted after a change of the
-method."""
+next, with the pictures, whose frames are not kept. Pictures that are there stay. Kept rows and pictures must be deleted after a
+change of the method."""
 
 import shutil
 
-from .data import (KEY_COLUMNS, PROJECTILE_COLUMNS, RECORD_COLUMNS, ROOT, SHOT_COLUMNS, InputError, Row, csv_text, is_on_rings,
+from .data import (KEY_COLUMNS, PROJECTILE_COLUMNS, RECORD_COLUMNS, ROOT, SHOT_COLUMNS, InputError, Row, csv_text,
                    read_projectiles, read_shots, read_table, write_text)
 
 KEPT = ROOT / "bench" / "rows" / "figures"
@@ -32,12 +31,10 @@ def take_published(page, folder):
     rows = list(joined_rows(page))
     if not rows:
         raise InputError(f"{page}: holds no shots: must be a page with results")
-    columns, known = list(rows[0].text), [row for row in rows if not is_on_rings(row)]
-    write_text(folder / "shots_published.csv", csv_text(columns, known))
+    write_text(folder / "shots_published.csv", csv_text(list(rows[0].text), rows))
     shutil.copyfile(page / "data" / "projectiles.csv", folder / "projectiles.csv")
     copy_missing([*page.glob("*.png"), *page.glob("*.svg")], folder)
-    left_out = f", {len(rows) - len(known)} on the ring lattice are left out" if len(known) < len(rows) else ""
-    print(f"{folder / 'shots_published.csv'}: {len(known)} shots{left_out}")
+    print(f"{folder / 'shots_published.csv'}: {len(rows)} shots")
 
 
 def take_kept(folder):
