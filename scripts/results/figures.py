@@ -164,7 +164,8 @@ def make_figures(quick, page_only, published, method, jobs):
         if name == "paper" or any(figures.glob(f"shots/{name}_*")):
             campaign.pictures(name)
     if keeps and not published:
-        keep_pictures(picture for number in (7, 8, 10, 14) for picture in figures.glob(f"figure_{number}[._]*png"))
+        keep_pictures(picture for number in (7, 8, 10, 14) for ending in ("png", "webm")
+                      for picture in figures.glob(f"figure_{number}[._]*{ending}"))
     try:
         make_page(figures, page, spacing_mm=spacing_mm)
     except InputError as error:

@@ -33,7 +33,7 @@ def take_published(page, folder):
         raise InputError(f"{page}: holds no shots: must be a page with results")
     write_text(folder / "shots_published.csv", csv_text(list(rows[0].text), rows))
     shutil.copyfile(page / "data" / "projectiles.csv", folder / "projectiles.csv")
-    copy_missing([*page.glob("*.png"), *page.glob("*.svg")], folder)
+    copy_missing(page.glob("figure_*"), folder)
     print(f"{folder / 'shots_published.csv'}: {len(rows)} shots")
 
 
@@ -44,7 +44,7 @@ def take_kept(folder):
         shutil.copyfile(KEPT / "shots.csv", folder / "shots_kept.csv")
         if not (folder / "projectiles.csv").exists():
             shutil.copyfile(KEPT / "projectiles.csv", folder / "projectiles.csv")
-        copy_missing(KEPT.glob("*.png"), folder)
+        copy_missing(KEPT.glob("figure_*"), folder)
 
 
 def keep(folder):
