@@ -175,8 +175,13 @@ def read_shots(folder):
     for row in rows:
         if list(row.text) != list(rows[0].text):
             raise InputError(f"{row.where}: columns: must be those of the other files shots*.csv")
-    # The hash breaks ties, so that the result does not depend on the order of the files.
-    rows.sort(key=lambda row: (row.key(KEY_COLUMNS), row.get("state_hash") or ""))
+    def first_of_its_key(row):
+        # A search runs an undecided shot again, for longer. The hash breaks ties, so that the result does not depend on the
+        # order of the files.
+        undecided = row["perforated"] is None
+        return row.key(KEY_COLUMNS), undecided, -(row.get("simulated_us") or 0) * undecided, row.get("state_hash") or ""
+
+    rows.sort(key=first_of_its_key)
     return _first_of_each(rows, KEY_COLUMNS)
 
 

@@ -97,6 +97,11 @@ class Page(Folders):
         # 20.4 and 58.2 s for the shots that took the paper's method 20.4 and 38.8 s.
         self.assertIn("stabilised: 1.33 times the processor time", section)
 
+    def test_a_shot_that_was_decided_at_last_counts_once(self):
+        undecided = SHOTS[1].replace(",31.25,1,", ",,,").replace(",ab,", ",aa,")
+        (self.folder / "shots.csv").write_text("\n".join([SHOT_HEADER, SHOTS[0], undecided, SHOTS[1], ""]))
+        self.assertEqual([row["perforated"] for row in read_shots(self.folder)], [0, 1])
+
     def test_wrong_input(self):
         self.require_refused(run("page", self.folder, self.folder),
                              "must not be the folder with the results")
