@@ -29,7 +29,6 @@ CHECKS = """\
 [defaults]
 method = "paper"
 model = "mjc"
-spacing_mm = 0.6
 widest_bracket_mps = 5
 
 [[check]]
