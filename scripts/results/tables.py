@@ -95,8 +95,7 @@ class Table(NamedTuple):
     sweeps: tuple = ()
 
 
-# The method and the arrangement of the particles of the two pages about the paper's choices.
-ON_RINGS = "--method paper --lattice ring"
+PAPER = "--method paper"
 LIMITS = "--limit --model mjc --spacing-mm 0.6"
 REPEATS = Sweep("repeats", "limits", f"{LIMITS} --method stabilised --vary seed=0:2:1")
 SHARP = Sweep("sharp", "sharp", "--limit --model mjc --spacing-mm 1 --method stabilised")
@@ -109,17 +108,16 @@ ALL_LIMITS = (REPEATS, SHARP, *OPEN)
 
 # Name: page, from docs/; tables.
 TABLES = {
-    "plate_12mm": ("plate_12mm", [Table("", partial(shots, SHOTS), (Sweep("plate_12mm", "plate_12mm", ON_RINGS),))]),
     "sensitivity": ("sensitivity", [
-        Table("", partial(shots, SHOTS), (Sweep("sensitivity", "sensitivity", ON_RINGS),)),
+        Table("", partial(shots, SHOTS), (Sweep("sensitivity", "sensitivity", PAPER),)),
         Table("Particle distance, three plates:", partial(shots, SHOTS), tuple(
-            Sweep(f"distance_{size}mm", "distance", f"{ON_RINGS} --spacing-mm {size}", f"{{}}, particle distance {size} mm")
+            Sweep(f"distance_{size}mm", "distance", f"{PAPER} --spacing-mm {size}", f"{{}}, particle distance {size} mm")
             for size in (1.2, 0.9, 0.6, 0.45))),
         Table("Two plates near the limits of the tests, particles 0.8 mm apart:", partial(shots, SHOTS), tuple(
-            Sweep(f"near_limit_{thickness}mm", "near_limit", f"{ON_RINGS} --spacing-mm 0.8 --thickness-mm {thickness} "
+            Sweep(f"near_limit_{thickness}mm", "near_limit", f"{PAPER} --spacing-mm 0.8 --thickness-mm {thickness} "
                   f"--velocity-mps {velocity}", f"{thickness} mm, {{}}") for thickness, velocity in ((8, 180), (16, 265)))),
         Table("Conical nose, particles 1.2 mm apart:", partial(shots, SHOTS),
-              (Sweep("conical", "conical", f"{ON_RINGS} --nose conical --spacing-mm 1.2"),))]),
+              (Sweep("conical", "conical", f"{PAPER} --nose conical --spacing-mm 1.2"),))]),
     "paper": ("beyond", [
         Table("Method `paper`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection to 2.5 m/s beside the "
               "paper's own and the tests:", paper_limits, (Sweep("limits_paper", "limits", f"{LIMITS} --method paper"),)),
@@ -145,7 +143,7 @@ TABLES = {
               "([shots_open.csv](../apps/data/shots_open.csv)):", open_shots, (OBLIQUE,))]),
     "sizes_stabilised": ("beyond", [
         Table("Method `stabilised`, several particle distances: limits by bisection to 2.5 m/s.", sizes, (
-            *(Sweep(f"limits_stabilised_{size}mm", "limits", f"--limit --method stabilised --model mjc --spacing-mm {size}",
+            *(Sweep(f"limits_stabilised_{size}mm", "sizes", f"--limit --method stabilised --model mjc --spacing-mm {size}",
                     f"{size} mm") for size in (0.8, 0.45)), REPEATS._replace(text="0.6 mm")))]),
     "scale": ("beyond", [
         Table("Method `stabilised`, blunt nose, Weldox 460 E, modified law, all lengths times 0.5, 1 and 2: limits by bisection "
