@@ -91,8 +91,8 @@ std::size_t behind_quoted(std::string_view text, std::size_t at) {
 void require_shallow(std::string_view text, const std::string &file) {
   int parts = 1, brackets = 0;
   std::size_t line = 1, counted = 0;
-  const auto require = [&](bool ok, const std::string &allowed) {
-    if (!ok) throw ogive::SetupError(printable(file + ":" + std::to_string(line)) + ": " + allowed);
+  const auto refuse_line = [&](const std::string &allowed) {
+    throw ogive::SetupError(printable(file + ":" + std::to_string(line)) + ": " + allowed);
   };
   for (std::size_t at = 0; at < text.size();) {
     line += static_cast<std::size_t>(std::count(text.begin() + counted, text.begin() + at, '\n'));
@@ -112,8 +112,8 @@ void require_shallow(std::string_view text, const std::string &file) {
       parts = 1;
     if (c == '[' || c == '{') ++brackets;
     if (c == ']' || c == '}') brackets = std::max(0, brackets - 1);
-    require(parts <= most_parts, "a key must have at most " + std::to_string(most_parts) + " parts");
-    require(brackets <= most_brackets, "brackets must lie at most " + std::to_string(most_brackets) + " deep");
+    if (parts > most_parts) refuse_line("a key must have at most " + std::to_string(most_parts) + " parts");
+    if (brackets > most_brackets) refuse_line("brackets must lie at most " + std::to_string(most_brackets) + " deep");
     ++at;
   }
 }
