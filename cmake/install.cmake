@@ -15,7 +15,7 @@ foreach(target IN ITEMS ogive ogive_vtk)
 endforeach()
 
 configure_package_config_file(cmake/ogive-config.cmake.in ogive-config.cmake INSTALL_DESTINATION "${package_dir}")
-write_basic_package_version_file(ogive-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+write_basic_package_version_file(ogive-config-version.cmake COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ogive-config.cmake" "${CMAKE_CURRENT_BINARY_DIR}/ogive-config-version.cmake"
         DESTINATION "${package_dir}")
 

@@ -71,7 +71,8 @@ def message(tokens):
         sign = tokens[k].text if tokens[k].kind == "sign" else ""
         if sign == "?" and [token.kind for token in tokens[k + 1:k + 4]] == ["text", "sign", "text"]:
             both = [part for part in (literal(tokens[k + 1]), literal(tokens[k + 3])) if part]
-            text = text[:begins[-1]] + " or ".join(both)  # without the condition
+            between = "; or: " if any(" or " in part for part in both) else " or "
+            text = text[:begins[-1]] + between.join(both)  # without the condition
             k += 3
         elif is_text(tokens, k):
             text += literal(tokens[k])

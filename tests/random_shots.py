@@ -15,7 +15,8 @@ perforates, far less does not. Undecided shots are printed and counted, with the
 
 A hex with several points can lose the volume of one of them at a sharp tip that yields. ogive stops such a shot
 because of that volume, or of the time step that it allows, before its energy goes wrong: it is printed as refused and is
-no failure. Neither is a shot above 1500 m/s, for which ogive warns, that a fault stops.
+no failure. Neither is a shot above 1500 m/s, for which ogive warns, that a fault stops, or where particles get into a projectile
+that has lost hexes: ogive warns of that, too.
 """
 
 import argparse
@@ -91,7 +92,7 @@ def random_shot(draw):
     radius = least * 1.25 + 0.4 * diameter
     extent, part = ("half", 0.5) if oblique else ("quarter", 0.25)
     finest = (part * math.pi * radius**2 * thickness * plates / MOST_PARTICLES_TO_THE_END) ** (1 / 3)
-    spacing = 0.999 * min(max(finest, diameter / 20), thickness / 2, (radius - least) / 2.1)
+    spacing = 0.999 * min(max(finest, diameter / 20), thickness / 2, (radius - least) / 2.1, diameter / 5)
     case = {
         "material": draw.choice(["weldox_460e", "aa5083_h116"]),
         "method": method,
@@ -117,7 +118,7 @@ def arguments_of(case):
 
 
 def outcome_of(case, folder, status, output, most_energy_error):
-    """What is not in order with a shot, as a list of texts, and why it was refused, if it was."""
+    """What is not in order with a shot, as a list of texts, and why it is set apart, if it is."""
     try:
         summary = json.loads((folder / "summary.json").read_text())
     except (OSError, json.JSONDecodeError):
@@ -129,19 +130,22 @@ def outcome_of(case, folder, status, output, most_energy_error):
         text = f"{fault.get('what')} ({fault.get('body')} {fault.get('id')}, {fault.get('time_us')} us)"
         tip = case.get("element") == "selective_reduced" and str(fault.get("what")).startswith(REFUSED)
         if status == 3 and (tip or case["velocity_mps"] > FASTEST_TESTED):
-            return [], text
+            return [], f"refused: {text}"
         found.append(f"status {status}: {text}")
     numbers = {key: value for key, value in summary.items() if isinstance(value, float)}
     found += [f"{key} is {value}" for key, value in numbers.items() if not math.isfinite(value)]
     if summary["energy_error"] is None or not summary["energy_error"] <= most_energy_error:
         found.append(f"energy error {100 * (summary['energy_error'] or math.nan):.2f} %")
     if not summary["largest_intrusion_mm"] <= 0.5 * summary["spacing_mm"]:
-        found.append(f"a particle {summary['largest_intrusion_mm']:.3f} mm inside the projectile")
+        text = f"a particle {summary['largest_intrusion_mm']:.3f} mm inside the projectile"
+        if case["velocity_mps"] > FASTEST_TESTED and summary.get("removed_hexes", 0) > 0:
+            return found, f"{text}, of which {summary['removed_hexes']} hexes were removed"
+        found.append(text)
     return found, None
 
 
 def wrong_verdict(case, folder):
-    """What speaks against the verdict of a shot, as a list of texts, and why it is undecided, if it is."""
+    """What speaks against the verdict of a shot, as a list of texts; and that it is undecided, if it is."""
     summary = json.loads((folder / "summary.json").read_text())
     with open(folder / "history.csv", encoding="utf-8") as file:
         last = list(csv.DictReader(file))[-1]
@@ -150,7 +154,7 @@ def wrong_verdict(case, folder):
     nose, tail = float(last["nose_depth_mm"]), float(last["tail_depth_mm"])
     verdict, found = summary["verdict"], []
     if verdict == "undecided":
-        return [], summary["undecided_because"] or "without a reason"
+        return [], f"undecided: {summary['undecided_because'] or 'without a reason'}"
     if verdict == "perforated" and not (nose > depth and 0 < final <= initial * 1.001):
         found.append(f"perforated, with the nose {nose:.3g} mm deep in {depth:.3g} mm at {final:.4g} m/s")
     if verdict == "stopped" and tail > depth and final > 0.005 * initial:
@@ -180,15 +184,16 @@ def shoot(number, case, options):
         status, output = done.returncode, done.stderr
         if folder.is_dir():
             ended.write_text(json.dumps({"run": run, "status": status, "output": output}))
-    found, refused = outcome_of(case, folder, status, output,
+    found, apart = outcome_of(case, folder, status, output,
                                 ENERGY_ERROR_TO_THE_END if options.verdicts else ENERGY_ERROR)
-    if options.verdicts and not found and not refused:
-        found, refused = wrong_verdict(case, folder)
-    return found, refused
+    if options.verdicts and not found and (folder / "summary.json").is_file() and status == 0:
+        wrong, undecided = wrong_verdict(case, folder)
+        found, apart = wrong, undecided or apart
+    return found, apart
 
 
 def main():
-    parser = argparse.ArgumentParser(usage=__doc__)
+    parser = argparse.ArgumentParser(usage=__doc__.replace("%", "%%"))
     parser.add_argument("--count", type=int)
     parser.add_argument("--seed", type=int, default=20120726)
     parser.add_argument("--jobs", type=int, default=2)
@@ -202,16 +207,15 @@ def main():
     options.count = options.count or (400 if options.verdicts else 200)
     draw = random.Random(options.seed)
     cases = [random_shot(draw) if options.verdicts else random_case(draw) for _ in range(options.count)]
-    failed = refusals = 0
+    failed = aside = 0
     with ThreadPoolExecutor(options.jobs) as pool:
-        for number, (faults, refused) in enumerate(pool.map(lambda item: shoot(*item, options), enumerate(cases))):
+        for number, (faults, apart) in enumerate(pool.map(lambda item: shoot(*item, options), enumerate(cases))):
             failed += bool(faults)
-            refusals += refused is not None and not faults
-            for text in filter(None, ["; ".join(faults),
-                                      refused and f"{'undecided' if options.verdicts else 'refused'}: {refused}"]):
+            aside += apart is not None and not faults
+            for text in filter(None, ["; ".join(faults), apart]):
                 print(f"{number:03d}: {text}\n     {' '.join(arguments_of(cases[number]))}", flush=True)
-    print(f"{options.count - failed - refusals} of {options.count} random shots in order, {refusals} "
-          f"{'undecided' if options.verdicts else 'refused'}, {failed} failed (seed {options.seed}"
+    print(f"{options.count - failed - aside} of {options.count} random shots in order, {aside} "
+          f"{'undecided, refused or with a warning' if options.verdicts else 'refused'}, {failed} failed (seed {options.seed}"
           f"{'' if options.verdicts else f', {options.end_us:g} us'})")
     return 1 if failed else 0
 

@@ -104,13 +104,17 @@ void check(const Options &o, const Origins &origins) {
   const double thinnest =
       o.layers_mm.empty() ? o.thickness_mm : *std::min_element(o.layers_mm.begin(), o.layers_mm.end());
   const double coarsest = std::round(1e6 * thinnest / 2) / 1e6;
-  if (o.spacing_mm > o.diameter_mm / 4)
-    refuse("spacing_mm", o.spacing_mm,
-           "must be at most a quarter of the projectile's diameter, " + shortest(o.diameter_mm / 4) + " mm");
   if (o.spacing_mm > coarsest)
     refuse("spacing_mm", o.spacing_mm,
            std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
                "plate, " + shortest(coarsest) + " mm");
+  // A plate has a whole number of layers, so that the particle distance in it may be larger than what was asked for.
+  const double first = o.layers_mm.empty() ? o.thickness_mm : o.layers_mm.front();
+  const double in_plate = first / static_cast<double>(ogive::layer_count(first, o.spacing_mm));
+  if (std::max(o.spacing_mm, in_plate) > o.diameter_mm / 4)
+    refuse("spacing_mm", o.spacing_mm,
+           "must be at most a quarter of the projectile's diameter, " + shortest(o.diameter_mm / 4) + " mm" +
+               (o.spacing_mm > o.diameter_mm / 4 ? "" : ", where whole layers of particles fill the plate, too"));
   const double smallest_disc = std::round(1e9 * ogive::least_sph_radius(to_case(o))) / 1e6;
   const bool tilted = o.obliquity_deg > 0 || o.pitch_deg != 0 || o.yaw_deg != 0;
   if (o.sph_radius_mm < smallest_disc || o.sph_radius_mm >= o.clamp_radius_mm)

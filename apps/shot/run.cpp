@@ -89,13 +89,20 @@ std::string described(const ogive::Fault &fault) {
 /// Share of the projectile's mass that may be removed with its hexes without a warning.
 constexpr double much_removed = 0.03;
 
-/// A warning if much of the projectile has been removed; else empty.
-std::string removal_warning(const Result &shot) {
-  const double share = shot.removed_mass_g / shot.sizes.projectile_mass_g;
-  if (!(share > much_removed)) return "";
-  return options::printed("%.2g %% of the projectile's mass was in hexes that have been removed because they were too "
-                          "distorted: take the result with care, or compute with a finer --spacing-mm",
-                          100 * share);
+/// Why a result is doubtful: much of the projectile has been removed, or particles are in it.
+std::vector<std::string> doubts_of(const Options &o, const Result &shot) {
+  std::vector<std::string> doubts;
+  if (const double share = shot.removed_mass_g / shot.sizes.projectile_mass_g; share > much_removed)
+    doubts.push_back(
+        options::printed("%.2g %% of the projectile's mass was in hexes that have been removed because they "
+                         "were too distorted: take the result with care, or compute with a finer --spacing-mm",
+                         100 * share));
+  if (shot.intrusion_mm > 0.5 * o.spacing_mm)
+    doubts.push_back(
+        options::printed("a particle was %.2g mm inside the projectile, more than half of a particle distance: "
+                         "take the result with care, or compute with a finer --spacing-mm",
+                         shot.intrusion_mm));
+  return doubts;
 }
 
 /// Prints why a run did not come to its end, and how it resumes.
@@ -167,9 +174,11 @@ Outcome run(const Options &o, Output output) {
     if (prints) print_problem(o, text);
     return ends_with(interrupted + shot.interrupted_by, text);
   }
-  if (prints) print_table(o, shot, test);
-  if (const std::string warning = removal_warning(shot); prints && !warning.empty())
-    std::fprintf(stderr, "ogive shoot: warning: %s\n", warning.c_str());
+  if (prints) {
+    print_table(o, shot, test);
+    for (const std::string &doubt : doubts_of(o, shot))
+      std::fprintf(stderr, "ogive shoot: warning: %s\n", doubt.c_str());
+  }
   write_summary(o, shot, test);
   if (prints)
     if (const std::string left_out = draw(o, shot, test); !left_out.empty())

@@ -90,8 +90,8 @@ void add_plate(Table &t, Options &o) {
 
 void add_projectile_choice(Table &t, Options &o) {
   Option &named = options::add_option(t, {.key = "projectile", .meaning = "a projectile of the library, or a file with "
-      "the options of this group from --nose to --rigid; options given with it override single values. Older cases have "
-      "deformable or rigid", .source = "deformable: that of --nose and the sizes, of tool steel, paper",
+      "the options of this group from --nose to --rigid; options given with it override single values. case.toml has "
+      "deformable or rigid for one without a name", .source = "deformable: that of --nose and the sizes, of tool steel, paper",
       .brief = "a projectile by name, or your FILE.toml"}, options::Kind::other, "NAME|FILE.toml");
   named.allowed_text = allowed_projectiles();
   named.range = ": " + named.allowed_text;
@@ -132,7 +132,7 @@ void add_projectile(Table &t, Options &o) {
   add(t, o.diameter_mm, {.key = "diameter_mm", .meaning = "diameter of the shank", .source = "paper",
       .brief = "diameter of the projectile", .limits = {1, 200, "mm"}});
   add(t, o.length_mm, {.key = "length_mm", .meaning = "length from tip to tail",
-      .source = "80 blunt, 98 conical, 94.6 ogival, 83.2 hemispherical, 22.6 chisel, 20 sphere, times diameter/20 mm: "
+      .source = "80 blunt, 98 conical, 94.2 ogival, 83.2 hemispherical, 22.6 chisel, 20 sphere, times diameter/20 mm: "
       "paper, ours",
       .limits = {1, 2000, "mm"}});
   add(t, o.nose_length_mm, {.key = "nose_length_mm", .meaning = "length of a conical or ogival nose; depth of a "

@@ -6,6 +6,6 @@
 namespace ogive {
 
 /// The version of the library. CMakeLists.txt reads it from here.
-inline constexpr char version[] = "0.1.0";
+inline constexpr char version[] = "1.0.0";
 
 } // namespace ogive

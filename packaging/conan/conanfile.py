@@ -9,7 +9,7 @@ from conan.tools.files import copy
 
 class OgiveConan(ConanFile):
     name = "ogive"
-    version = "0.1.0"
+    version = "1.0.0"
     license = "BSD-3-Clause"
     description = "Perforation of metal plates with coupled SPH and 8-node hexes"
     package_type = "header-library"

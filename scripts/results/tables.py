@@ -119,7 +119,7 @@ TABLES = {
         Table("Conical nose, particles 1.2 mm apart:", partial(shots, SHOTS),
               (Sweep("conical", "conical", f"{PAPER} --nose conical --spacing-mm 1.2"),))]),
     "paper": ("beyond", [
-        Table("Method `paper`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection to 2.5 m/s beside the "
+        Table("Method `paper`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection, ± 2.5 m/s beside the "
               "paper's own and the tests:", paper_limits, (Sweep("limits_paper", "limits", f"{LIMITS} --method paper"),)),
         Table("The same with the standard form and a smoothing length that follows the density:", paper_limits,
               (Sweep("limits_paper_standard", "limits_three",
@@ -128,26 +128,26 @@ TABLES = {
         Table("Method `stabilised`, 12 mm Weldox 460 E, blunt, modified law, 0.6 mm, at the velocities of measured shots:",
               partial(shots, STABILISED), (Sweep("measured", "measured", "--method stabilised --model mjc --spacing-mm 0.6"),))]),
     "repeats": ("beyond", [
-        Table("Method `stabilised`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection to 2.5 m/s with three "
+        Table("Method `stabilised`, blunt noses, Weldox 460 E, modified law, 0.6 mm: limits by bisection, ± 2.5 m/s with three "
               "arrangements of the particles (`--seed`):", repeats,
               (REPEATS,))]),
     "sharp": ("beyond", [
-        Table("Method `stabilised`, noses that are not blunt, modified law, particles 1 mm apart: limits by bisection to 2.5 m/s:",
+        Table("Method `stabilised`, noses that are not blunt, modified law, particles 1 mm apart: limits by bisection, ± 2.5 m/s:",
               sharp_limits, (SHARP,))]),
     "open": ("beyond", [
-        Table("Method `stabilised`, other projectiles and metals: limits by bisection to 2.5 m/s beside the tests "
+        Table("Method `stabilised`, other projectiles and metals: limits by bisection, ± 2.5 m/s beside the tests "
               "([v50_open.csv](../apps/data/v50_open.csv)):", open_limits,
               OPEN)]),
     "oblique": ("beyond", [
         Table("Method `stabilised`, oblique impact, particles 1 mm apart, beside measured shots "
               "([shots_open.csv](../apps/data/shots_open.csv)):", open_shots, (OBLIQUE,))]),
     "sizes_stabilised": ("beyond", [
-        Table("Method `stabilised`, several particle distances: limits by bisection to 2.5 m/s.", sizes, (
+        Table("Method `stabilised`, several particle distances: limits by bisection, ± 2.5 m/s.", sizes, (
             *(Sweep(f"limits_stabilised_{size}mm", "sizes", f"--limit --method stabilised --model mjc --spacing-mm {size}",
                     f"{size} mm") for size in (0.8, 0.45)), REPEATS._replace(text="0.6 mm")))]),
     "scale": ("beyond", [
-        Table("Method `stabilised`, blunt nose, Weldox 460 E, modified law, all lengths times 0.5, 1 and 2: limits by bisection "
-              "to 2.5 m/s:", scale, (Sweep("scale", "scale", "--limit --method stabilised --model mjc"),))]),
+        Table("Method `stabilised`, blunt nose, Weldox 460 E, modified law, all lengths times 0.5, 1 and 2: limits by bisection, "
+              "± 2.5 m/s:", scale, (Sweep("scale", "scale", "--limit --method stabilised --model mjc"),))]),
     "stabilised": ("beyond", [
         Table("Method `stabilised`, one parameter at a time, particles 0.8 mm apart:", partial(shots, STABILISED), tuple(
             Sweep(f"stabilised_{thickness}mm", "stabilised", "--method stabilised --model mjc --spacing-mm 0.8 "

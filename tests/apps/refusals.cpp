@@ -29,6 +29,12 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
       {{"--spacing-mm", "70"}, "--spacing-mm = 70: must lie between 0.01 and 25 mm"},
       {{"--thickness-mm", "6", "--spacing-mm", "4"},
        "--spacing-mm = 4: must be at most half the thickness of the plate, 3 mm"},
+      {{"--diameter-mm", "8", "--spacing-mm", "2.2"},
+       "--spacing-mm = 2.2: must be at most a quarter of the projectile's diameter, 2 mm"},
+      {{"--diameter-mm", "8", "--thickness-mm", "4.8", "--spacing-mm", "2"}, // two layers, 2.4 mm apart
+       "--spacing-mm = 2: must be at most a quarter of the projectile's diameter, 2 mm, where whole layers of "
+       "particles "
+       "fill the plate, too"},
       {{"--sph-radius-mm", "11"},
        "--sph-radius-mm = 11: must lie between 11.2 mm, the projectile's radius and two spacings, and less than the "
        "clamp radius, 250 mm"},

@@ -81,6 +81,26 @@ TEST_CASE("natural coordinates invert the trilinear map, outside too", "[fem]") 
   }
 }
 
+TEST_CASE("a hex tells which points lie in it", "[fem]") {
+  const auto cube = corners(brick<double>(1, 1, 1, V::Ones()), 0);
+  CHECK(lies_in_hex<double>(cube, V(0.5, 0.5, 0.5)));
+  CHECK(lies_in_hex<double>(cube, V(1, 1, 1)));
+  CHECK(lies_in_hex<double>(cube, V(0.5, 0.25, 0)));
+  CHECK_FALSE(lies_in_hex<double>(cube, V(1 + 1e-12, 0.5, 0.5)));
+  CHECK_FALSE(lies_in_hex<double>(cube, V(0.5, 0.5, -3)));
+  // Faces of a distorted hex are triangles here and bilinear in the natural coordinates: points near a face may differ.
+  Noise noise;
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    const auto x = distorted_hex(seed);
+    for (int trial = 0; trial < 50; ++trial) {
+      const V xi = 2 * noise.vector();
+      const double most = xi.cwiseAbs().maxCoeff();
+      if (most > 0.9 && most < 1.1) continue;
+      CHECK(lies_in_hex<double>(x, x.transpose() * shape_functions<double>(xi)) == (most < 1));
+    }
+  }
+}
+
 TEST_CASE("natural coordinates refuse a point that has none", "[fem]") {
   // The upper face has half the size of the lower one: seen in the natural coordinates, the edges meet at z = 2, and
   // there is no image beyond it off the axis that all edges share.

@@ -101,13 +101,14 @@ elseif(STEP STREQUAL "versions")
   string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" series "${VERSION}")
   math(EXPR next_minor "${CMAKE_MATCH_2} + 1")
   math(EXPR next_major "${CMAKE_MATCH_1} + 1")
+  math(EXPR last_major "${CMAKE_MATCH_1} - 1")
   set(major ${CMAKE_MATCH_1})
-  foreach(wanted IN ITEMS ${series} ${VERSION})
+  foreach(wanted IN ITEMS ${major} ${series} ${VERSION})
     file(REMOVE_RECURSE "${WORK}/versions")
     run(${CMAKE_COMMAND} -G ${GENERATOR} -S "${CONSUMER}" -B "${WORK}/versions" -D CMAKE_CXX_COMPILER=${CXX}
         ${from_prefix} -D OGIVE_WITH_VTK=OFF -D OGIVE_WANTED=${wanted})
   endforeach()
-  foreach(wanted IN ITEMS ${series}.99 ${major}.${next_minor} ${next_major}.0)
+  foreach(wanted IN ITEMS ${series}.99 ${major}.${next_minor} ${next_major}.0 ${last_major}.1)
     file(REMOVE_RECURSE "${WORK}/versions")
     execute_process(
       COMMAND ${CMAKE_COMMAND} -G ${GENERATOR} -S "${CONSUMER}" -B "${WORK}/versions" -D CMAKE_CXX_COMPILER=${CXX}

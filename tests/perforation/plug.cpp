@@ -74,6 +74,12 @@ TEST_CASE("the intrusion is the depth of the deepest particle in the projectile"
   CHECK(largest_intrusion(model) == Approx(2.5e-3).margin(0.2e-3));
   p[first + 3] = {8e-3, 7e-3, 5e-3}; // in the projectile's box but outside: at a radius of 10.6 mm
   CHECK(largest_intrusion(model) == Approx(2.5e-3).margin(0.2e-3));
+  // Behind a facet, but the hex that held it is gone.
+  auto &shot = projectile(model);
+  allow_erosion(shot);
+  for (Index e = 0; e < static_cast<Index>(shot.hexes.size()); ++e)
+    if (lies_in_hex<double>(gather_corners(p, shot.hexes[e]), p[first + 2])) remove_hex(shot, model.nodes, e, 0.0);
+  CHECK(largest_intrusion(model) == Approx(1.2e-3).epsilon(1e-6));
 }
 
 TEST_CASE("the plate's shape tells a plug from a bulge", "[perforation]") {

@@ -3,6 +3,7 @@
 
 #include "ogive/core/nodes.hpp"
 #include "ogive/core/symmetry.hpp"
+#include "ogive/mesh/hex_geometry.hpp"
 #include "ogive/mesh/hex_mesh.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@
 #include <vector>
 
 namespace ogive {
-
-/// Corners of the six faces of a hex, counter-clockwise seen from outside.
-inline constexpr std::array<std::array<int, 4>, 6> hex_faces = {
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
 /// The nodes of face `face` of a hex.
 inline std::array<Index, 4> face_nodes(const std::array<Index, 8> &hex, std::size_t face) {

@@ -27,6 +27,10 @@ inline constexpr std::array<int, 8> hex_eta = {-1, -1, 1, 1, -1, -1, 1, 1};
 /// Third natural coordinate of each corner.
 inline constexpr std::array<int, 8> hex_zeta = {-1, -1, -1, -1, 1, 1, 1, 1};
 
+/// Corners of the six faces of a hex, counter-clockwise seen from outside.
+inline constexpr std::array<std::array<int, 4>, 6> hex_faces = {
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
 /// Natural coordinates of corner a.
 template <class T> Vec3<T> hex_corner(int a) {
   const auto c = static_cast<std::size_t>(a);
@@ -172,6 +176,25 @@ template <class T> Vec3<T> natural_coordinates(const Corners<T> &corners, const 
   require(residual <= T(1e-6) * size, "distance of a point to its image in a hex (m)", residual,
           "must vanish: the point lies too far from the hex");
   return xi;
+}
+
+/// True if the point `x` (m) lies in the hex with the corners given (m), each of whose faces is four triangles around
+/// its middle, as contacts see it: in one of the tetrahedra between these triangles and the middle of the hex.
+template <class T> bool lies_in_hex(const Corners<T> &corners, const Vec3<T> &x) {
+  constexpr T round_off = T(64) * std::numeric_limits<T>::epsilon();
+  const Vec3<T> inside = corners.colwise().mean().transpose(), to_point = x - inside;
+  for (const std::array<int, 4> &face : hex_faces) {
+    const auto at = [&](int k) { return Vec3<T>(corners.row(face[k % 4]).transpose() - inside); };
+    const Vec3<T> middle = T(0.25) * (at(0) + at(1) + at(2) + at(3));
+    for (int k = 0; k < 4; ++k) {
+      const Vec3<T> a = at(k), b = at(k + 1), across = cross<T>(b, middle);
+      const T volume = a.dot(across);
+      const Vec3<T> weights(to_point.dot(across), to_point.dot(cross<T>(middle, a)), to_point.dot(cross<T>(a, b)));
+      if (volume > T(0) && weights.minCoeff() >= -round_off * volume && weights.sum() <= (T(1) + round_off) * volume)
+        return true;
+    }
+  }
+  return false;
 }
 
 } // namespace ogive

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ogive/contact/closest_point.hpp"
+#include "ogive/contact/search.hpp"
 #include "ogive/core/types.hpp"
 #include "ogive/perforation/setup.hpp"
 
@@ -140,7 +141,16 @@ template <class M> auto find_fragments(const M &model, double ratio = 1.5) {
   return whole;
 }
 
-/// Depth behind the projectile's surface of the particle of a plate that is deepest inside, m; 0 if none is inside.
+/// True if a point (m) lies in a hex of the projectile.
+template <class M, class T> bool lies_in_projectile(const M &model, const Vec3<T> &p) {
+  for (const auto &part : model.bodies.projectile)
+    for (Index e = 0; e < static_cast<Index>(part.hexes.size()); ++e)
+      if (!is_removed(part, e) && lies_in_hex<T>(gather_corners(model.nodes.position, part.hexes[e]), p)) return true;
+  return false;
+}
+
+/// Depth behind the projectile's surface of the particle of a plate that is deepest inside, m; 0 if none is inside. The
+/// side of the nearest facet alone is no proof where the surface is torn or folded: an inside particle lies in a hex.
 /// Removed particles may be anywhere.
 template <class M, class Body> auto largest_intrusion_of(const M &model, const Body &body) {
   const auto &contact = model.contacts.front();
@@ -150,7 +160,7 @@ template <class M, class Body> auto largest_intrusion_of(const M &model, const B
   for (const Facet &f : contact.facets)
     for (Index n : f.nodes) extend(box, nodes.position[n]);
   return parallel_max(body.nodes.size(), T(0), [&](Index i) {
-    const Vec3<T> &p = nodes.position[body.nodes.begin + i];
+    const Vec3<T> p = on_model_side(contact, nodes.position[body.nodes.begin + i]);
     if (is_removed(body, i) || !is_inside(box, p)) return T(0);
     FacetPoint<T> best;
     NearestSoFar<T> nearest;
@@ -163,7 +173,8 @@ template <class M, class Body> auto largest_intrusion_of(const M &model, const B
       const FacetPoint<T> point = closest_on_facet(p, corner);
       if (nearest.take(point.distance_squared, std::abs(point.normal.dot(p - point.position)))) best = point;
     }
-    return best.normal.dot(p - best.position) < T(0) ? std::sqrt(best.distance_squared) : T(0);
+    const bool is_behind = best.normal.dot(p - best.position) < T(0);
+    return is_behind && lies_in_projectile(model, p) ? std::sqrt(best.distance_squared) : T(0);
   });
 }
 

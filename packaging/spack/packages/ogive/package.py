@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ogive for Spack: `spack dev-build ogive@0.1.0` in the project's folder."""
+"""ogive for Spack: `spack dev-build ogive@1.0.0` in the project's folder."""
 from spack.package import *
 
 
 class Ogive(CMakePackage):
     """Perforation of metal plates with coupled SPH and 8-node hexes, header-only."""
 
-    version("0.1.0")
+    version("1.0.0")
     license("BSD-3-Clause")
 
     variant("vtk", default=False, description="Frames for ParaView: ogive::vtk")
