@@ -5,6 +5,7 @@
 
 #include "ogive/io/archive.hpp"
 #include "ogive/io/checkpoint_file.hpp"
+#include "ogive/version.hpp"
 #include "shot/plates.hpp"
 #include "shot/saved_case.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 std::string write_checkpoint_of(const std::filesystem::path &folder, const Options &options,
                                 const std::string &program = "ogive shoot") {
   ogive::ArchiveWriter notes;
-  notes(SavedCase{program, "0.1.0", shot::to_complete_toml(options),
+  notes(SavedCase{program, ogive::version, shot::to_complete_toml(options),
                   shot::metals_text(options, shot::plates_of(options)), 12.5});
   const auto file = folder / "checkpoint.bin";
   ogive::write_checkpoint_file(file, 8, notes.bytes, {});
