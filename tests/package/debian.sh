@@ -26,7 +26,7 @@ must() {
 must 'apt-get -q -y install --no-install-recommends ./ogive.deb gnuplot-nox libgl1-mesa-dri libjs-three g++'
 must 'ogive --version'
 must 'ogive shoot --spacing-mm 2 --out shot && grep -q perforated shot/summary.json && test -s shot/perforation.pvd'
-must 'test -s shot/section.png && test -s shot/velocity.png'
+must 'test -s shot/section.png && test -s shot/velocity.svg'
 must 'ogive view shot && test -s shot/view.html'
 must 'ogive sweep --vary thickness_mm=6,8 --spacing-mm 2 --out study && test "$(wc -l <study/shots.csv)" = 3'
 must 'ogive materials from-tensile --yield-mpa 276 --uts-mpa 310 --young-gpa 68.9 --out metal.toml && ogive materials check metal.toml'
