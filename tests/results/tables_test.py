@@ -117,9 +117,9 @@ class Tables(unittest.TestCase):
     def test_limits_with_other_particles(self):
         head = "thickness_mm,seed,bisection_limit_mps"
         self.leave_limits("limits_stabilised_0.45mm", head, "6,0,136")
-        self.leave_limits("repeats", head, "6,0,140.5", "6,1,139", "8,0,157")
+        self.leave_limits("repeats", head, "6,0,140.5", "6,1,139", "12,0,191")
         self.assertEqual(self.table("sizes_stabilised")[6:8], [
-            "| 6 mm | 145.5 | – | 136.0 | 140.5 | – | -3.2 % |", "| 8 mm | 154.3 | – | – | 157.0 | – | – |"])
+            "| 6 mm | 145.5 | – | 136.0 | 140.5 | – | -3.2 % |", "| 12 mm | 184.5 | – | – | 191.0 | – | – |"])
 
     def test_cost(self):
         record = self.folder / "run_record.csv"
@@ -227,7 +227,7 @@ class Tables(unittest.TestCase):
             sweeps.run(tables.TABLES["sensitivity"][1][0].sweeps[0], 2)
         said = (self.folder / "said").read_text().splitlines()
         folder = self.folder / "sensitivity"
-        self.assertEqual(said[0], f"sweep {folder}/cases.csv --jobs 2 --method paper --lattice ring --no-vtk --no-picture "
+        self.assertEqual(said[0], f"sweep {folder}/cases.csv --jobs 2 --method paper --no-vtk --no-picture "
                                   f"--out {folder}")
         self.assertTrue(said[-1].endswith(f",{folder}/floor_100.toml"))
         self.assertEqual((folder / "floor_100.toml").read_text(), 'name = "floor_100"\nrate_floor_per_s = 100\n')
