@@ -98,8 +98,8 @@ def kept(sweep, name):
     return folder / name if same and (folder / name).exists() else None
 
 
-def is_kept(sweep):
-    """Rows that name material files of this machine are not."""
+def has_portable_rows(sweep):
+    """Rows that name material files of this machine are not kept, only what tables show of their shots."""
     _, records = read_records(CASES / f"{sweep.cases}.csv")
     return not any(field in METALS for _, fields in records for field in fields)
 
@@ -116,11 +116,11 @@ def keep(sweep):
     """Keeps the rows of a sweep, unless more of them are kept, and of shots what the tables show."""
     folder, target = FOLDER / sweep.folder, KEPT / sweep.folder
     rows, earlier = folder / "shots.csv", kept(sweep, "shots.csv")
-    if not is_kept(sweep) or not rows.exists() or (earlier and len(texts(earlier)) > len(texts(rows))):
+    if not rows.exists() or (earlier and len(texts(earlier)) > len(texts(rows))):
         return
-    known = {case["name"]: found for case in cases(sweep) if (found := summary(sweep, case["name"]))}
+    known = {case["name"]: found for case in cases(sweep) if (found := summary(sweep, case["name"]))}  # kept ones, too
     target.mkdir(parents=True, exist_ok=True)
-    for name in ("shots.csv", "limits.csv"):
+    for name in ("shots.csv", "limits.csv") if has_portable_rows(sweep) else ():
         if (folder / name).exists():
             shutil.copy(folder / name, target / name)
     if known and not is_of_limits(sweep):
@@ -201,8 +201,8 @@ def cost_s(sweep, limit):
 
 def versions(sweep):
     """Of the shots that have been run."""
-    return {read_json(summary)["version"] for summary in (FOLDER / sweep.folder).glob("shots/*/summary.json")} | {
-        row["version"] for row in shot_rows(sweep)}
+    summaries = [summary(sweep, case["name"]) for case in cases(sweep)] if not is_of_limits(sweep) else []
+    return {found["version"] for found in summaries if found and "version" in found} | {row["version"] for row in shot_rows(sweep)}
 
 
 def limits(sweep):

@@ -212,8 +212,8 @@ class Tables(unittest.TestCase):
         self.assertEqual(sweeps.summary(shot, "304"), {"initial_velocity_mps": 303.5, "residual_velocity_mps": 208.6})
         self.assertIsNone(sweeps.summary(shot, "400"))
         with_own_metals = tables.TABLES["sensitivity"][1][0].sweeps[0]
-        self.assertFalse(sweeps.is_kept(with_own_metals))
-        self.assertTrue(sweeps.is_kept(shot))
+        self.assertFalse(sweeps.has_portable_rows(with_own_metals))
+        self.assertTrue(sweeps.has_portable_rows(shot))
         shown = {key for column in (*tables.SHOTS, *tables.STABILISED, *tables.CONES, *tables.DISHINGS)
                  for key in column.keys.split()}
         self.assertEqual(shown - set(sweeps.SHOWN_KEYS), {"case_spacing_mm"})
