@@ -108,9 +108,11 @@ void check(const Options &o, const Origins &origins) {
     refuse("spacing_mm", o.spacing_mm,
            std::string("must be at most half the thickness of the ") + (o.layers_mm.empty() ? "" : "thinnest ") +
                "plate, " + shortest(coarsest) + " mm");
-  // A plate has a whole number of layers, so that the particle distance in it may be larger than --spacing-mm.
+  // A plate has a whole number of layers, so that the particle distance in it may be larger than --spacing-mm. The
+  // hexes of a projectile follow it, unless its mesh is the user's own.
   const double first = o.layers_mm.empty() ? o.thickness_mm : o.layers_mm.front();
-  const double in_plate = first / static_cast<double>(ogive::layer_count(first, o.spacing_mm));
+  const double in_plate =
+      o.projectile_mesh.empty() ? first / static_cast<double>(ogive::layer_count(first, o.spacing_mm)) : o.spacing_mm;
   if (std::max(o.spacing_mm, in_plate) > o.diameter_mm / 4)
     refuse("spacing_mm", o.spacing_mm,
            "must be at most a quarter of the projectile's diameter, " + shortest(o.diameter_mm / 4) + " mm" +

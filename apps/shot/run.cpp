@@ -90,14 +90,14 @@ std::string described(const ogive::Fault &fault) {
 constexpr double much_removed = 0.03;
 
 /// Why a result is doubtful: much of the projectile has been removed, or particles are in it.
-std::vector<std::string> doubts_of(const Options &o, const Result &shot) {
+std::vector<std::string> doubts_of(const Result &shot) {
   std::vector<std::string> doubts;
   if (const double share = shot.removed_mass_g / shot.sizes.projectile_mass_g; share > much_removed)
     doubts.push_back(
         options::printed("%.2g %% of the projectile's mass was in hexes that have been removed because they "
                          "were too distorted: take the result with care, or compute with a finer --spacing-mm",
                          100 * share));
-  if (shot.intrusion_mm > 0.5 * o.spacing_mm)
+  if (shot.intrusion_mm > 0.5 * shot.sizes.spacing_mm)
     doubts.push_back(
         options::printed("a particle was %.2g mm inside the projectile, more than half of a particle distance: "
                          "take the result with care, or compute with a finer --spacing-mm",
@@ -176,8 +176,7 @@ Outcome run(const Options &o, Output output) {
   }
   if (prints) {
     print_table(o, shot, test);
-    for (const std::string &doubt : doubts_of(o, shot))
-      std::fprintf(stderr, "ogive shoot: warning: %s\n", doubt.c_str());
+    for (const std::string &doubt : doubts_of(shot)) std::fprintf(stderr, "ogive shoot: warning: %s\n", doubt.c_str());
   }
   write_summary(o, shot, test);
   if (prints)

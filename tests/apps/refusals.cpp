@@ -33,8 +33,7 @@ TEST_CASE("each bad argument is refused with one line that names option, value a
        "--spacing-mm = 2.2: must be at most a quarter of the projectile's diameter, 2 mm"},
       {{"--diameter-mm", "8", "--thickness-mm", "4.8", "--spacing-mm", "2"}, // two layers, 2.4 mm apart
        "--spacing-mm = 2: must be at most a quarter of the projectile's diameter, 2 mm, where whole layers of "
-       "particles "
-       "fill the plate, too"},
+       "particles fill the plate, too"},
       {{"--sph-radius-mm", "11"},
        "--sph-radius-mm = 11: must lie between 11.2 mm, the projectile's radius and two spacings, and less than the "
        "clamp radius, 250 mm"},
