@@ -89,7 +89,17 @@ std::string described(const ogive::Fault &fault) {
 /// Share of the projectile's mass that may be removed with its hexes without a warning.
 constexpr double much_removed = 0.03;
 
-/// Why a result is doubtful: much of the projectile has been removed, or particles are in it.
+/// Prints why a run did not come to its end, and how it resumes.
+void print_problem(const Options &options, const std::string &problem) {
+  std::fprintf(stderr, "ogive shoot: %s\n", problem.c_str());
+  const auto file = options.out / checkpoint_name;
+  std::error_code ignored;
+  if (fs::exists(file, ignored))
+    std::fprintf(stderr, "ogive shoot: this resumes from the last checkpoint:\n  %s\n", restart_command(file).c_str());
+}
+
+} // namespace
+
 std::vector<std::string> doubts_of(const Result &shot) {
   std::vector<std::string> doubts;
   if (const double share = shot.removed_mass_g / shot.sizes.projectile_mass_g; share > much_removed)
@@ -104,17 +114,6 @@ std::vector<std::string> doubts_of(const Result &shot) {
                          shot.intrusion_mm));
   return doubts;
 }
-
-/// Prints why a run did not come to its end, and how it resumes.
-void print_problem(const Options &options, const std::string &problem) {
-  std::fprintf(stderr, "ogive shoot: %s\n", problem.c_str());
-  const auto file = options.out / checkpoint_name;
-  std::error_code ignored;
-  if (fs::exists(file, ignored))
-    std::fprintf(stderr, "ogive shoot: this resumes from the last checkpoint:\n  %s\n", restart_command(file).c_str());
-}
-
-} // namespace
 
 std::string restart_command(const fs::path &checkpoint) {
   std::error_code ignored;

@@ -40,6 +40,9 @@ void use_threads(const Options &options);
 /// behind.
 void prepare_out(const Options &options);
 
+/// Why a result is doubtful, a line for each reason: much of the projectile has been removed, or particles are in it.
+std::vector<std::string> doubts_of(const Result &shot);
+
 /// The command that resumes a run, as a shell takes it.
 std::string restart_command(const std::filesystem::path &checkpoint);
 

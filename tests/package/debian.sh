@@ -8,7 +8,12 @@ set -euo pipefail
 [ $# -ge 1 ] && [ -f "$1" ] || { sed -n 's/^# debian.sh/usage: debian.sh/p' "$0" >&2; exit 2; }
 package=$(realpath "$1")
 bare=${2:-$(mktemp -d /tmp/bare_debian_XXXXXX)}
-[ $# -ge 2 ] || trap 'rm -rf "$bare"' EXIT
+is_named=$(($# >= 2))
+leave() {
+  ! mountpoint -q "$bare/proc" || umount "$bare/proc"
+  [ "$is_named" = 1 ] || rm -rf --one-file-system "$bare"
+}
+trap leave EXIT
 mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | head -n 1)
 
 if ! [ -x "$bare/usr/bin/dpkg" ]; then
@@ -16,6 +21,7 @@ if ! [ -x "$bare/usr/bin/dpkg" ]; then
   rm -f "$bare.log"
 fi
 cp "$package" "$bare/root/ogive.deb"
+mountpoint -q "$bare/proc" || mount -t proc proc "$bare/proc" # programs find their data beside themselves
 
 inside() { chroot "$bare" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive "$@"; }
 must() {
