@@ -9,7 +9,9 @@ SHOWN = ("neighbours", "gradient", "stress", "force", "hexes", "contact", "motio
 
 
 def aligned(header, rows):
-    """A table in Markdown, flush right, that is readable on a terminal too."""
+    """A table in Markdown, flush right, that is readable on a terminal too. Columns without any value are left out."""
+    used = [k for k in range(len(header)) if any(row[k] for row in rows)]
+    header, rows = [header[k] for k in used], [[row[k] for k in used] for row in rows]
     widths = [max(3, *(len(row[k]) for row in [header, *rows])) for k in range(len(header))]
 
     def line(cells):
