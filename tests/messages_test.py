@@ -291,6 +291,15 @@ class Messages(unittest.TestCase):
         marked = re.search(rf"(?s)<!-- {MARK} -->\n\n(.*?)\n\n<!-- {MARK} -->", TABLE_PAGE.read_text(encoding="utf-8"))
         self.assertTrue(marked and marked[1] == setup_table(self.sources), "run tests/messages_test.py --insert")
 
+    def test_the_tested_range_of_the_manual_is_that_of_the_warning(self):
+        source = (ROOT / "apps" / "shot" / "tested_range.cpp").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "doxygen" / "validation.md").read_text(encoding="utf-8")
+        section = re.search(r"(?s)\n## Tested range(.*?)\n## ", page)[1]
+        ranges = re.findall(r"constexpr Range \w+\{([\d.]+), ([\d.]+)\}", source)
+        self.assertEqual(ranges, re.findall(r"\| ([\d.]+) to ([\d.]+)", section), "must be the same, in the same order")
+        metals = re.search(r"string_view, \d+> metals\{(.*?)\}", source, re.S)[1]
+        self.assertEqual(re.findall(r'"(\w+)"', metals), re.findall(r"`(\w+)`", section))
+
     def test_reading(self):
         tokens = tokens_of('require(a < f(b, c), "width (m)" /* m */, w, "must be " + text(x) + " m" +\n"eters"); // require("no")\n'
                            'refuse("--out", s, ok ? "" : "must be \\"new\\"");printf("%.3g us of %d", t, n);')
