@@ -2,6 +2,7 @@
 #include "tested_range.hpp"
 
 #include "materials/library.hpp"
+#include "named_projectile.hpp"
 #include "plates.hpp"
 
 #include <algorithm>
@@ -42,7 +43,8 @@ std::string outside_tested_range(const Options &o) {
   if (o.layers_mm.size() > 1) all.emplace_back("several plates (tests: one)");
   if (o.nose == Nose::sphere) all.emplace_back("nose sphere");
   if (o.bore_depth_mm > 0) all.emplace_back("a hollow projectile");
-  if (!o.profile_mm.empty() || o.own_mesh.read) all.emplace_back("a projectile of your own");
+  if (!o.profile_mm.empty() || o.own_mesh.read)
+    all.push_back(is_library_projectile(o.projectile) ? "projectile " + o.projectile : "a projectile of your own");
   for (const std::string &material : materials_of(o)) {
     const std::string metal = materials::label_of(material);
     const bool known = std::find(metals.begin(), metals.end(), metal) != metals.end();

@@ -38,5 +38,6 @@ TEST_CASE("what lies outside of the tested range is named, in one line") {
   CHECK(outside({"--diameter-mm", "40", "--sph-radius-mm", "50", "--thickness-mm", "8", "--spacing-mm", "2"}) ==
         begin + "diameter_mm (tests: 6.17 to 20); thickness over diameter (tests: 0.3 to 4.2); spacing_mm (tests: 0.45 "
                 "to 1)");
+  CHECK(outside({"--projectile", "apm2_762"}) == begin + "projectile apm2_762");
   CHECK(outside({"--spacing-mm", "0.4"}) == begin + "spacing_mm (tests: 0.45 to 1)");
 }
