@@ -1,6 +1,6 @@
-// Reading results back: writes three frames of a shot as ogive shoot does, and reads them again. Needs VTK (ogive::vtk).
-// Run: 10_read_results [series.pvd]. It prints time and largest plastic strain of each frame; without an argument the
-// series is its own, in the temporary folder, and the last strain is the one of the model that was written.
+// Reading results back: writes three frames of a shot as ogive shoot does, and reads them again. Needs VTK
+// (ogive::vtk). Run: 10_read_results [series.pvd]. It prints time and largest plastic strain of each frame; without
+// an argument the series is its own, in the temporary folder, and the last strain is the one of the model.
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>

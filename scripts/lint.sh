@@ -20,7 +20,7 @@ clang-format --dry-run -Werror "${files[@]}" || status=1
 # The commands of all programs as Clang takes them.
 build=$root/build/lint
 cmake -S "$root" -B "$build" -G Ninja -D CMAKE_BUILD_TYPE=Debug -D CMAKE_EXPORT_COMPILE_COMMANDS=ON \
-  -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ >/dev/null
+  -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ >/dev/null
 
 mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$')
 mapfile -t headers < <(printf '%s\n' "${files[@]}" | grep '\.hpp$')

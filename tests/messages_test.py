@@ -122,7 +122,9 @@ def statements(tokens):
 
 # Where "warning: " is printed, and the calls whose texts are warnings.
 PRINTERS = {"apps/shot/run.cpp", "apps/ogive/materials/materials.cpp", "apps/study/study.cpp"}
-WARNINGS = {("include/ogive/material/doubts.hpp", "push_back", "doubts"), ("apps/materials/certificate.cpp", "push_back", "warnings"),
+WARNINGS = {("include/ogive/material/doubts.hpp", "push_back", "doubts"),
+            ("include/ogive/material/doubts.hpp", "emplace_back", "doubts"),
+            ("apps/materials/certificate.cpp", "push_back", "warnings"),
             ("apps/shot/plates.cpp", "push_back", "all"), ("apps/shot/plates.cpp", "add", "")}
 NOTES = "messages"  # of ogive calibrate, a list of this name; a lambda `note` adds to it
 # Where the line of a fault is streamed into `what`.

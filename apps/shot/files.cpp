@@ -34,10 +34,9 @@ std::vector<std::string> material_names(const Options &o) {
 }
 
 const std::vector<std::string> history_columns{
-    "time_us",       "velocity_m_per_s", "nose_depth_mm", "tail_depth_mm",       "kinetic_J",
-    "elastic_J",     "plastic_J",        "hourglass_J",   "viscous_J",           "contact_J",
-    "friction_J",    "total_J",          "momentum_N_s",  "support_impulse_N_s", "speed_m_per_s",
-    "deflection_deg", "turn_deg",      "spin_rad_per_s"};
+    "time_us",      "velocity_m_per_s",    "nose_depth_mm", "tail_depth_mm",  "kinetic_J",  "elastic_J",
+    "plastic_J",    "hourglass_J",         "viscous_J",     "contact_J",      "friction_J", "total_J",
+    "momentum_N_s", "support_impulse_N_s", "speed_m_per_s", "deflection_deg", "turn_deg",   "spin_rad_per_s"};
 
 /// Removes the halves of files that a run left when it was killed while it wrote them: those with the number of a
 /// process that is no more.

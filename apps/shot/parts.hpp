@@ -37,8 +37,8 @@ std::vector<std::string> part_materials(const Options &options);
 /// The names of the metals of all parts for people: "gilding_metal+lead+apm2_core_steel".
 std::string part_metals_label(const Options &options);
 
-/// Throws SetupError unless every entry of part_metals is of a part that the projectile has. Forgets the file of a metal
-/// that no part is made of.
+/// Throws SetupError unless every entry of part_metals is of a part that the projectile has. Forgets the file of a
+/// metal that no part is made of.
 void settle_parts(Options &options, const options::Origins &origins);
 
 /// Names of the files of the parts' metals in the folder of the results, in the order of parts_of().

@@ -33,7 +33,8 @@ void settle_layers(Options &options, const options::Origins &origins);
 /// SetupError.
 void settle_materials(Options &options, const options::Origins &origins);
 
-/// False if a plate's metal has no constants of the failure strain; true, too, if it cannot be read, which others report.
+/// False if a plate's metal has no constants of the failure strain; true, too, if it cannot be read, which others
+/// report.
 bool have_failure_strains(const Options &options);
 
 /// The metals of all plates with the pressure law, damage and failure that the options choose. Throws SetupError.

@@ -133,7 +133,8 @@ std::optional<std::string> other_case(const Options &options) {
     theirs = settled({{entries, options.out}});
     const auto there = case_values(theirs);
     for (const auto &[key, value] : case_values(options)) {
-      const auto other = std::find_if(there.begin(), there.end(), [&name = key](const auto &one) { return one.first == name; });
+      const auto other =
+          std::find_if(there.begin(), there.end(), [&name = key](const auto &one) { return one.first == name; });
       if (other != there.end() && other->second != value) return key;
     }
     if (metals_text(options, plates_of(options)) != metals_text(theirs, plates_of(theirs))) return "material";

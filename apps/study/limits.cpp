@@ -251,8 +251,8 @@ std::string limits_csv(const std::vector<LimitRow> &limits, const Texts &own_col
 std::string described(const LimitRow &row, const Texts &own_columns) {
   using options::printed;
   const Texts &v = row.key.values;
-  std::string line = v[method_column] + ", " + v[model_column] + ", " +
-                     v[material_column] + ", " + v[nose_column] + ", " + v[thickness_column] + " mm";
+  std::string line = v[method_column] + ", " + v[model_column] + ", " + v[material_column] + ", " + v[nose_column] +
+                     ", " + v[thickness_column] + " mm";
   for (std::size_t k = key_columns().size(); k < v.size(); ++k) line += ", " + column_name(k, own_columns) + " " + v[k];
   const auto estimate = ogive::limit_estimate(row.bracket);
   line += estimate ? printed(": limit %.1f +- %.1f m/s by bisection", estimate->limit, estimate->half_width)

@@ -59,8 +59,8 @@ Published find_published(const shot::Options &options);
 /// through a plate or across the projectile that it promised little.
 std::optional<Series> coarser(const Series &series, const Texts &own_columns);
 
-/// The series that expects a limit, of a coarser series or of another arrangement: its first two shots lie on both sides
-/// of it.
+/// The series that expects a limit, of a coarser series or of another arrangement: its first two shots lie on both
+/// sides of it.
 Series guided_by(Series series, double limit_mps, double width_mps);
 
 /// Those two shots; none where no limit is expected or a shot of the series is known.
@@ -77,8 +77,8 @@ std::optional<double> next_velocity(const Series &series, const std::vector<Row>
 Case with_more_time(Case shot, const Row &row);
 
 /// Bisects the limits of all series, those of different series at the same time. A series ends with a shot that fails
-/// and is left out if its rows are of another case. Its shots that are there before count as known; one that the default
-/// time has left undecided gets more, see with_more_time(). Throws as run_cases().
+/// and is left out if its rows are of another case. Its shots that are there before count as known; one that the
+/// default time has left undecided gets more, see with_more_time(). Throws as run_cases().
 Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report);
 
 /// The limits that rows give.

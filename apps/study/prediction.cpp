@@ -105,8 +105,8 @@ Prediction predicted(const Study &study, const shot::Options &o, double width_mp
 Prediction read_prediction(const std::filesystem::path &file, const std::string &origin) {
   const std::string text = options::text_of_file(file, origin, "JSON");
   // No record is nested deeper.
-  const Json record =
-      Json::parse(text, [](int depth, Json::parse_event_t, Json &) { return depth < 8; }, false);
+  const Json record = Json::parse(
+      text, [](int depth, Json::parse_event_t, Json &) { return depth < 8; }, false);
   const std::string allowed = "must be a prediction.json of ogive limit";
   try {
     if (const std::string hash = hash_of_record(record); hash != record.at("hash").get<std::string>())

@@ -151,9 +151,9 @@ int cores() { return std::max(1, omp_get_num_procs()); }
 
 std::string folder_name(const Key &key, const Texts &own_columns) {
   const auto &v = key.values;
-  std::string name = v[method_column] + "_" + v[model_column] + "_" +
-                     fs::path(v[material_column]).stem().string() + "_" + v[nose_column] + "_" + v[thickness_column] +
-                     "mm_" + v[velocity_column] + "mps_" + v[spacing_column] + "mm";
+  std::string name = v[method_column] + "_" + v[model_column] + "_" + fs::path(v[material_column]).stem().string() +
+                     "_" + v[nose_column] + "_" + v[thickness_column] + "mm_" + v[velocity_column] + "mps_" +
+                     v[spacing_column] + "mm";
   for (std::size_t k = key_columns().size(); k < v.size(); ++k) name += "_" + column_name(k, own_columns) + "=" + v[k];
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
@@ -173,7 +173,8 @@ std::string conflict(const Study &study, const Case &shot) {
   const auto other = shot::other_case(options);
   std::error_code none;
   if (!other && fs::exists(options.out / "case.toml", none))
-    return (options.out / "case.toml").string() + " cannot be read, perhaps it is of another version; give another --out "
+    return (options.out / "case.toml").string() +
+           " cannot be read, perhaps it is of another version; give another --out "
            "or remove the folder";
   if (!other || other->empty()) return "";
   return "the results in " + options.out.string() + " are of a case with another " + *other +

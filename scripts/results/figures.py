@@ -96,7 +96,19 @@ class Campaign:
         series = ["--series", *(shot.folder for shot in shots)] if shots else []
         self.attempt(picture, self.programs / "ogive", "draw", *series, *options, flag, picture)
         if picture.exists():
+            if ending == "png":
+                self.reduce_colours(picture)
             print(f"figure: {picture}")
+
+    def reduce_colours(self, picture):
+        """Gives a picture 256 colours where there is ffmpeg: it looks the same and has two thirds of the bytes or less."""
+        if not shutil.which("ffmpeg"):
+            return
+        reduced = picture.with_name(f"reduced_{picture.name}")
+        self.attempt(f"colours of {picture}", "ffmpeg", "-y", "-loglevel", "error", "-i", picture, "-vf",
+                     "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none", reduced)
+        if reduced.exists():
+            reduced.replace(picture)
 
     def pictures(self, method):
         """Figs. 7, 8, 10 and 14 with a method."""

@@ -59,9 +59,9 @@ Rubble rubble(std::uint32_t seed, SymmetryPlanes planes, bool half) {
   HexMesh<double> left{mesh.positions, {}};
   for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
     if (gone[e] == 0) left.hexes.push_back(mesh.hexes[e]);
-  r.contact = contact_of(r.nodes, slaves, 0.5 * edge,
-                         facets_off_planes(boundary_facets(left), left.positions, planes, 1e-9),
-                         ContactOptions<double>{.reentrant = true}, planes);
+  r.contact =
+      contact_of(r.nodes, slaves, 0.5 * edge, facets_off_planes(boundary_facets(left), left.positions, planes, 1e-9),
+                 ContactOptions<double>{.reentrant = true}, planes);
   add_contact_force(r.contact, r.nodes, 0.0, 1e-7);
   return r;
 }

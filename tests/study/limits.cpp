@@ -203,7 +203,8 @@ TEST_CASE("A line for a limit has bisection, fit, test, and shots that contradic
   limits = limits_in({ogival}, {row_at(ogival, 300, 310)});
   REQUIRE(limits.size() == 1);
   CHECK_FALSE(limits[0].fit.has_value());
-  CHECK(described(limits[0], {}) == "stabilised, mjc, weldox_460e, ogival, 12 mm: no limit by bisection yet; test 295.9 m/s");
+  CHECK(described(limits[0], {}) ==
+        "stabilised, mjc, weldox_460e, ogival, 12 mm: no limit by bisection yet; test 295.9 m/s");
 
   limits[0].key.values.emplace_back("0.1");
   CHECK(described(limits[0], {"friction"}).starts_with("stabilised, mjc, weldox_460e, ogival, 12 mm, friction 0.1: "));

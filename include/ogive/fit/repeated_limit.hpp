@@ -16,9 +16,9 @@ namespace ogive {
 /// A ballistic limit by several searches that differ in something that should not matter, such as the arrangement of
 /// the particles.
 template <class T> struct RepeatedLimit {
-  std::size_t repeats = 0;           ///< number of searches
-  T mean{};                          ///< m/s
-  std::optional<T> deviation{};      ///< standard deviation of the limits, m/s; unset: there is one limit alone
+  std::size_t repeats = 0;          ///< number of searches
+  T mean{};                         ///< m/s
+  std::optional<T> deviation{};     ///< standard deviation of the limits, m/s; unset: there is one limit alone
   std::optional<T> half_interval{}; ///< m/s; the limit lies within mean +- half_interval with a probability of 90 %
 };
 

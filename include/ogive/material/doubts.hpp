@@ -92,8 +92,9 @@ template <class T, class Law> std::vector<std::string> doubts_of_flow(const Meta
                      " of its slow value at 10000 1/s: C is negative, as in few alloys of aluminium");
   const T fastest = stress(strain, T(1e6));
   if (m.rate_floor < T(100) && fastest != slow && stress(strain, T(100)) == slow)
-    doubts.push_back("the rate has no effect on the flow stress up to 100 1/s and has one beyond: its reference rate "
-                     "is above the rates of much of a shot");
+    doubts.emplace_back(
+        "the rate has no effect on the flow stress up to 100 1/s and has one beyond: its reference rate "
+        "is above the rates of much of a shot");
 
   if (const auto molten = doubts_detail::strain_to_melting(m))
     doubts.push_back("its own heat melts it at a plastic strain of " + text(*molten) + " (melting_temperature " +

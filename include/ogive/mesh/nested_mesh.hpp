@@ -199,7 +199,7 @@ template <class T> PartMesh<T> nested_mesh(const ProjectileShape<T> &shape, T sp
     return j;
   };
   for (Index k = 0; k < n.along; ++k) {
-    regions.insert(regions.end(), static_cast<std::size_t>(n.core * n.core), region_of(0, k));
+    regions.insert(regions.end(), static_cast<std::size_t>(n.core) * static_cast<std::size_t>(n.core), region_of(0, k));
     for (Index s = 0; s < n.core; ++s) {
       std::size_t j = 0;
       for (Index l = 0; l < n.shell; ++l) {
