@@ -29,7 +29,7 @@ GROUPS = (
     Group("blunt, 6 to 20 mm Weldox 460 E", "repeats", CHOSEN),
     Group("cone and ogive, 12 mm Weldox 460 E", "sharp", CHOSEN, ("steel_conical", "steel_ogival")),
     Group("hemisphere, 12 mm Weldox 460 E", "sharp", PREDICTED, ("steel_hemispherical",)),
-    Group("cone, 15 to 25 mm AA5083-H116", "sharp", KNOWN),
+    Group("cone, 15 to 30 mm AA5083-H116", "sharp", KNOWN),
     Group("blunt, 12 mm Weldox 700 E", "open", CHOSEN, ("weldox_700e",)),
     Group("20 mm fragment simulator, 12.7 mm AA6061-T651", "open", CHOSEN, ("fsp_12.7",)),
     Group("20 mm fragment simulator, 25.7 mm AA6061-T651", "open", KNOWN),
