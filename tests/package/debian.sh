@@ -20,13 +20,16 @@ if ! [ -x "$bare/usr/bin/dpkg" ]; then
   debootstrap --variant=minbase bookworm "$bare" "$mirror" >"$bare.log" 2>&1 || { tail -n 20 "$bare.log"; exit 1; }
   rm -f "$bare.log"
 fi
-cp "$package" "$bare/root/ogive.deb"
+work=$bare/root/try
+rm -rf "$work"
+mkdir "$work"
+cp "$package" "$work/ogive.deb"
 mountpoint -q "$bare/proc" || mount -t proc proc "$bare/proc" # programs find their data beside themselves
 
 inside() { chroot "$bare" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive "$@"; }
 must() {
   printf '%s\n' "$*"
-  inside bash -c "set -euo pipefail; cd /root; $*" >"$bare/root/output.txt" 2>&1 || { tail -n 20 "$bare/root/output.txt"; exit 1; }
+  inside bash -c "set -euo pipefail; cd /root/try; $*" >"$work/output.txt" 2>&1 || { tail -n 20 "$work/output.txt"; exit 1; }
 }
 
 must 'apt-get -q -y install --no-install-recommends ./ogive.deb gnuplot-nox libgl1-mesa-dri libjs-three g++'
