@@ -15,7 +15,8 @@ def percent(value, reference):
 
 def first_limits(sweep):
     """The limits of a sweep with the undisturbed arrangement of the particles, m/s, by the name of the case."""
-    return {case["name"]: float(row["bisection_limit_mps"]) for case, row in runs.limit_rows(sweep) if row.get("seed", "0") == "0"}
+    return {case["name"]: float(row["bisection_limit_mps"]) for case, row in runs.limit_rows(sweep)
+            if row.get("seed", "0") == "0"}  # rows of a sweep that varies no seed have none
 
 
 def sizes(sweeps):
