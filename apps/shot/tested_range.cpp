@@ -19,8 +19,9 @@ struct Range {
 
 constexpr Range calibres_mm{6.17, 20};
 constexpr Range thicknesses_in_calibres{0.3, 4.2};
-constexpr Range distances_mm{0.45, 1};    // of particles; limits fall with them
-constexpr Range velocities_mps{145, 730}; // from the lowest limit to the fastest measured shot
+constexpr Range distances_mm{0.45, 1};            // of particles
+constexpr Range distances_of_blunt_mm{0.45, 0.8}; // limits of flat noses fall with them
+constexpr Range velocities_mps{145, 730};         // from the lowest limit to the fastest measured shot
 constexpr Range obliquities_deg{0, 30};
 constexpr std::array<std::string_view, 6> metals{"weldox_460e",      "weldox_700e",    "aa5083_h116",
                                                  "aa5083_h116_25mm", "aa6061_t651_jc", "aa6082_t6"};
@@ -36,7 +37,8 @@ std::string outside_tested_range(const Options &o) {
   };
   within("diameter_mm", o.diameter_mm, calibres_mm);
   within("thickness over diameter", o.thickness_mm / o.diameter_mm, thicknesses_in_calibres);
-  within("spacing_mm", o.spacing_mm, distances_mm);
+  const bool is_flat = o.nose == Nose::blunt && o.profile_mm.empty() && !o.own_mesh.read;
+  within("spacing_mm", o.spacing_mm, is_flat ? distances_of_blunt_mm : distances_mm);
   within("velocity_mps", o.velocity_mps, velocities_mps);
   within("obliquity_deg", o.obliquity_deg, obliquities_deg);
   if (o.pitch_deg != 0 || o.yaw_deg != 0) all.emplace_back("pitch or yaw (tests: none)");

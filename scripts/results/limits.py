@@ -1,6 +1,7 @@
 """The tables of ballistic limits in docs/, in Markdown."""
 
 import math
+import statistics
 
 from . import cavity
 from . import sweeps as runs
@@ -19,6 +20,14 @@ def first_limits(sweep):
             if row.get("seed", "0") == "0"}  # rows of a sweep that varies no seed have none
 
 
+def slope_percent(sizes_mm, limits, reference):
+    """Slope of the straight line through limits of several particle distances, per 0.1 mm in % of the reference."""
+    known = [(float(size.split()[0]), limit) for size, limit in zip(sizes_mm, limits) if limit]
+    if len(known) < 2 or not reference:
+        return "–"
+    return f"{10 * statistics.linear_regression(*zip(*known)).slope / reference:+.1f} %"
+
+
 def sizes(sweeps):
     """Limits with several particle distances, the last of which others are compared with."""
     *others, reference = (first_limits(sweep) for sweep in sweeps)
@@ -28,9 +37,9 @@ def sizes(sweeps):
         limit = [found.get(case["name"]) for found in (*others, reference)]
         rows.append([f"{case['thickness_mm']} mm", f"{Tests().limit_mps(*STEEL, float(case['thickness_mm'])):.1f}",
                      *(f"{value:.1f}" if value else "–" for value in limit),
-                     *(percent(value, limit[-1]) for value in limit[:-1])])
+                     *(percent(value, limit[-1]) for value in limit[:-1]), slope_percent(sizes_mm, limit, limit[-1])])
     return any(others) and markdown_table(
-        ["plate", "test, m/s", *sizes_mm, *(f"{size} against {sizes_mm[-1]}" for size in sizes_mm[:-1])], rows)
+        ["plate", "test, m/s", *sizes_mm, *(f"{size} against {sizes_mm[-1]}" for size in sizes_mm[:-1]), "per 0.1 mm"], rows)
 
 
 def paper_limits(sweeps):

@@ -17,7 +17,7 @@ TEST_CASE("the cases of the tests lie within the tested range") {
   CHECK(outside({"--thickness-mm", "6", "--velocity-mps", "150"}).empty());
   CHECK(outside({"--thickness-mm", "30", "--nose", "conical", "--material", "aa5083_h116"}).empty());
   CHECK(outside({"--projectile", "fsp_20mm", "--thickness-mm", "12.7", "--velocity-mps", "218"}).empty());
-  CHECK(outside({"--nose", "hemispherical"}).empty());
+  CHECK(outside({"--nose", "hemispherical", "--spacing-mm", "1"}).empty());
   CHECK(
       outside({"--projectile", "apm2_762_core", "--thickness-mm", "20", "--material", "aa6082_t6", "--spacing-mm", "1"})
           .empty());
@@ -37,7 +37,9 @@ TEST_CASE("what lies outside of the tested range is named, in one line") {
         begin + "several plates (tests: one); metal steel_4340");
   CHECK(outside({"--diameter-mm", "40", "--sph-radius-mm", "50", "--thickness-mm", "8", "--spacing-mm", "2"}) ==
         begin + "diameter_mm (tests: 6.17 to 20); thickness over diameter (tests: 0.3 to 4.2); spacing_mm (tests: 0.45 "
-                "to 1)");
+                "to 0.8)");
   CHECK(outside({"--projectile", "apm2_762"}) == begin + "projectile apm2_762");
-  CHECK(outside({"--spacing-mm", "0.4"}) == begin + "spacing_mm (tests: 0.45 to 1)");
+  CHECK(outside({"--spacing-mm", "0.4"}) == begin + "spacing_mm (tests: 0.45 to 0.8)");
+  CHECK(outside({"--spacing-mm", "1"}) == begin + "spacing_mm (tests: 0.45 to 0.8)");
+  CHECK(outside({"--nose", "ogival", "--spacing-mm", "1.1"}) == begin + "spacing_mm (tests: 0.45 to 1)");
 }
