@@ -246,7 +246,7 @@ Result run_model(const Options &options, const Plates &metals) {
     if (options.vtk) writing([&] { add_frame(files, course, ogive::gather_frame(model)); });
     course.last_frame_us = model.time * 1e6;
   };
-  const double longest_us = options.end_us + options.settle_us;
+  const double last_us = options.end_us + options.settle_us;
   const auto observe = [&](const auto &now, const ogive::Energy<double> &e) {
     take_sample(now, e, c, axial_places, shot, course, files);
     if (shot.flight.samples.size() % samples_per_intrusion == 0)
@@ -256,14 +256,14 @@ Result run_model(const Options &options, const Plates &metals) {
       course.next_frame_us += options.output_every_us;
     }
     const double time_us = now.time * 1e6;
-    show(progress, time_us, longest_us, shot.flight.samples.back().velocity, now.steps);
+    show(progress, time_us, last_us, shot.flight.samples.back().velocity, now.steps);
     const bool in_progress = shot.flight.state == ogive::FlightState::in_progress;
     if (options.settle_us == 0 || (in_progress && time_us < options.end_us * (1 - 1e-12))) return in_progress;
     add_sample(shot.swing, time_us, ogive::dishing_of(now, undeformed.front(), shape.diameter / 2) * 1e3);
     return time_us - shot.swing.begun_us < options.settle_us;
   };
   ogive::RunOptions<double> run_options;
-  run_options.end_time = longest_us * 1e-6;
+  run_options.end_time = last_us * 1e-6;
   // A small projectile is through in a few microseconds.
   run_options.observe_every *= std::min(1.0, shape.diameter / 20e-3);
   const auto pause = [&](const auto &now, const auto &run) {
@@ -284,7 +284,7 @@ Result run_model(const Options &options, const Plates &metals) {
   const auto result = ogive::run(model, run_options, state, observe, pause);
   shot.loop_s = elapsed_s(progress) - course.writing_s;
   if (course.last_frame_us < model.time * 1e6) write_frame();
-  show(progress, model.time * 1e6, longest_us, shot.flight.samples.back().velocity, model.steps, true);
+  show(progress, model.time * 1e6, last_us, shot.flight.samples.back().velocity, model.steps, true);
 
   shot.fault = result.fault;
   shot.wall_s = elapsed_s(progress);

@@ -207,9 +207,9 @@ Outcome run_cases(const Study &study, const std::vector<Case> &cases, const Repo
 }
 
 Outcome run_chosen(const Study &study, std::size_t at_once, const NextCase &next, const Report &report) {
-  std::error_code error;
-  fs::create_directories(study.out / "shots", error);
-  if (error) throw ogive::write_error(study.out / "shots", error.message());
+  std::error_code code;
+  fs::create_directories(study.out / "shots", code);
+  if (code) throw ogive::write_error(study.out / "shots", code.message());
   const int workers = static_cast<int>(std::clamp<std::size_t>(at_once, 1, static_cast<std::size_t>(study.jobs)));
   Work w{.study = study, .report = report, .threads = threads_of(study, workers), .next = next};
   w.rows = read_all_rows(study.out, study.own_columns);

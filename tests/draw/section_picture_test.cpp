@@ -99,8 +99,8 @@ TEST_CASE("the section of a model without symmetry is cut open") {
   for (const float x_sign : {1.F, -1.F})
     for (const float y_sign : {1.F, -1.F}) {
       Frame turned = part;
-      const auto turn = [&](auto &part, ogive::Field &strain) {
-        for (auto &x : part.positions) x = ogive::Vec3<float>(x_sign * x[0], y_sign * x[1], x[2]);
+      const auto turn = [&](auto &body, ogive::Field &strain) {
+        for (auto &x : body.positions) x = ogive::Vec3<float>(x_sign * x[0], y_sign * x[1], x[2]);
         // The half in front would hide the section: all of it is marked by strain.
         if (y_sign < 0) std::fill(strain.values.begin(), strain.values.end(), 1.F);
       };
