@@ -90,7 +90,7 @@ TEST_CASE("a plate that loses its particles keeps energy and momentum, and the p
   CHECK(fragments.failed == failed);
   CHECK(fragments.failed_mass > 0);
   Index released = 0;
-  for (std::size_t s = 0; s < contact.slaves.size(); ++s) {
+  for (Index s = 0; s < Index(contact.slaves.size()); ++s) {
     if (contact.state.slave_mass[s] > 0) continue;
     ++released;
     CHECK(is_removed(body, contact.slaves[s] - body.nodes.begin));

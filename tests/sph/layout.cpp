@@ -49,7 +49,7 @@ TEST_CASE("a disturbed disc keeps its particles near their places, within the di
         ++moved, mean += by[0] / most, squares += by[0] * by[0] / (most * most);
         CHECK(by[0] != other.positions[i][0] - p0[0]);
       }
-      CHECK(moved > 0.95 * double(lattice.positions.size()));
+      CHECK(double(moved) > 0.95 * double(lattice.positions.size()));
       // Even numbers between -1 and 1: mean 0, mean square 1/3; some 1800 of them or more.
       CHECK(std::abs(mean / double(moved)) < 4 / std::sqrt(3.0 * double(moved)));
       CHECK(squares / double(moved) == Approx(1.0 / 3).epsilon(0.1));
