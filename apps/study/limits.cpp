@@ -64,6 +64,20 @@ std::string conflict_in(const Study &study, const Series &series, const std::vec
   return "";
 }
 
+/// Of each series the first of those that differ in the arrangement of the particles alone, itself if there is none.
+std::vector<std::size_t> first_arrangements(const std::vector<Series> &series, const Texts &own_columns) {
+  std::vector<std::size_t> first(series.size());
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const auto is_other = [&](const Series &s) {
+      shot::Options o = s.options;
+      o.seed = series[k].options.seed;
+      return series_key(case_of(o, own_columns, "").key) == series[k].key;
+    };
+    first[k] = static_cast<std::size_t>(std::find_if(series.begin(), series.begin() + k, is_other) - series.begin());
+  }
+  return first;
+}
+
 } // namespace
 
 Key series_key(Key key) {
@@ -168,6 +182,7 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
     all.known += static_cast<int>(
         std::count_if(before.begin(), before.end(), [&](const Row &row) { return series_key(row.key) == one.key; }));
   }
+  const auto first = first_arrangements(own, study.own_columns);
   std::vector<std::optional<Key>> last(own.size());
   std::vector<double> given_us(own.size(), 0); // of the last shot
   std::vector<bool> ended(own.size(), false);
@@ -180,6 +195,11 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (ended[k]) continue;
       if (last[k] && find_row(rows, *last[k]) == nullptr) continue; // its shot is running, or has failed
+      if (const std::size_t j = first[k]; j != k && !own[k].expected_mps) {
+        if (!ended[j] && next_velocity(own[j], rows, width_mps)) continue;
+        if (const auto limit = ogive::limit_estimate(ogive::bracket(tried_shots(own[j].key, rows, false))))
+          own[k] = guided_by(own[k], limit->limit, width_mps);
+      }
       const auto velocity = next_velocity(own[k], rows, width_mps);
       if (!velocity) continue;
       Case shot = shot_of(own[k], *velocity, study.own_columns);

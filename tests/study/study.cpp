@@ -272,6 +272,28 @@ TEST_CASE("Bisection goes on for the other series where a shot fails, and counts
   CHECK_FALSE(next_velocity(sound, small.rows(), 4).has_value());
 }
 
+TEST_CASE("The search with another arrangement of the particles begins beside the limit of the first") {
+  const SmallStudy small(2);
+  const Texts columns{"seed"};
+  Study study = small.study;
+  study.own_columns = columns;
+  const auto arranged = [&](const std::string &seed) {
+    return series_of(case_of(small_case(200, {{"end_us", "3000"}, {"seed", seed}}).options, columns, ""));
+  };
+  const Series first = arranged("0"), other = arranged("1");
+  fs::create_directories(study.out);
+  for (const double v : {104.0, 108.0})
+    append_row(rows_file(study), sample_row(shot_of(first, v, columns).key, 106), columns);
+  std::vector<std::string> said;
+  const Outcome outcome = find_limits(study, {first, other}, 4, [&](const std::string &line) { said.push_back(line); });
+  CHECK(outcome.known == 2);
+  CHECK(outcome.failed.empty());
+  REQUIRE(outcome.run >= 2);
+  CHECK(contains(said.at(0), "104mps")); // not 200, nor the guess from the thickness
+  CHECK(limits_in({other}, read_all_rows(study.out, columns)).size() == 1);
+  CHECK_FALSE(next_velocity(other, read_all_rows(study.out, columns), 4).has_value());
+}
+
 TEST_CASE("One process has a study, or one each of its shards") {
   const TemporaryFolder folder;
   const auto refused = [&](int shard, int shards) {
