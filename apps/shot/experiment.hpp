@@ -39,6 +39,9 @@ struct Limit {
 
 std::optional<Limit> find_limit(const Specimen &specimen);
 
+/// Half of the gap between stopped and perforating shots of a measured limit (apps/data/README.md).
+inline constexpr double limit_half_width_mps = 5;
+
 /// The paper's strike velocity close to its own limit, Fig. 10.
 std::optional<double> find_paper_velocity(const Specimen &specimen);
 

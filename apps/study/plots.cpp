@@ -55,7 +55,7 @@ Look look_of(const Key &key, const Texts &own, std::size_t place) {
           colour};
 }
 
-const Look measured{"test", "points linecolor rgb 'black' pointtype 7 pointsize 0.9"};
+const Look measured{"test", "points linecolor rgb 'black' pointtype 7 pointsize 0.9", "black"};
 
 /// The name of a series' files: "paper_mjc", with a number where the study has columns of its own.
 std::string file_part(const Key &key, const Texts &own, std::size_t place) {
@@ -66,6 +66,24 @@ std::string file_part(const Key &key, const Texts &own, std::size_t place) {
 /// A curve through the first two columns of a file.
 draw::Curve curve(const fs::path &file, const Look &look) {
   return {draw::gnuplot_columns(file, "1:2"), look.style, look.title};
+}
+
+/// Limits with the half of their brackets as error bars.
+std::vector<draw::Curve> curve_with_bars(const std::map<double, ogive::LimitEstimate<double>> &limits,
+                                         const fs::path &file, const Look &look) {
+  std::string csv = "x,y,half_width\n";
+  for (const auto &[x, limit] : limits)
+    csv += options::joined(std::array{x, limit.limit, limit.half_width}, ",") + "\n";
+  const fs::path points = written(csv, file);
+  return {{draw::gnuplot_columns(points, "1:2:3"), "yerrorbars linecolor rgb '" + look.colour + "' pointtype 0"},
+          curve(points, look)};
+}
+
+/// The range of an axis that holds all values, with a tenth of it on both sides.
+std::string range_of(const std::set<double> &values) {
+  const double low = *values.begin(), high = *values.rbegin();
+  const double margin = (high > low ? high - low : std::max(high, 1.0)) / 10;
+  return "[" + shortest(low >= 0 ? std::max(0.0, low - margin) : low - margin) + ":" + shortest(high + margin) + "]";
 }
 
 /// Plate and projectile that the shots of a panel share.
@@ -174,45 +192,43 @@ bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const Te
   if (limits.empty()) return false;
   const std::size_t abscissa = abscissa_of(limits);
   std::map<Key, std::map<double, ogive::LimitEstimate<double>>> computed;
-  std::set<std::pair<double, double>> tests, paper;
-  double furthest = 0;
+  std::map<double, ogive::LimitEstimate<double>> tests;
+  std::set<std::pair<double, double>> paper;
+  std::set<double> places, velocities;
+  const auto note = [&](double x, const ogive::LimitEstimate<double> &limit) {
+    places.insert(x);
+    velocities.insert({limit.limit - limit.half_width, limit.limit + limit.half_width});
+    return limit;
+  };
   for (const LimitRow &row : limits) {
     const double x = number(row.key, abscissa);
-    furthest = std::max(furthest, x);
-    if (row.published.test_limit_mps) tests.emplace(x, *row.published.test_limit_mps);
-    if (row.published.paper_velocity_mps) paper.emplace(x, *row.published.paper_velocity_mps);
+    if (!std::isfinite(x)) continue;
+    if (const auto test = row.published.test_limit_mps) tests[x] = note(x, {*test, experiment::limit_half_width_mps});
+    if (const auto v = row.published.paper_velocity_mps) paper.emplace(x, note(x, {*v, 0}).limit);
     Key curve_key = row.key;
     curve_key.values[abscissa].clear();
     // The metal of the weaker plate belongs to the same curve.
     if (abscissa == thickness_column) curve_key.values[material_column] = specimen_of(row.key).metal;
-    if (const auto estimate = ogive::limit_estimate(row.bracket)) computed[curve_key][x] = *estimate;
+    if (const auto estimate = ogive::limit_estimate(row.bracket)) computed[curve_key][x] = note(x, *estimate);
   }
   if (computed.empty()) return false;
-  const fs::path base = out / "plot_data" / plot.name;
-  const std::string end = shortest(furthest * 1.1 + (abscissa == thickness_column ? 2 : 0));
+  const std::string base = (out / "plot_data" / plot.name).string();
   draw::Plot one{.title = plot.title,
                  .x = abscissa == thickness_column ? "plate thickness, mm" : column_name(abscissa, own),
                  .y = "ballistic limit, m/s",
-                 .settings = "set key left top reverse Left; set grid; set yrange [0:*]; set xrange [0:" + end + "]"};
-  const auto add_published = [&](const std::set<std::pair<double, double>> &values, const char *name,
-                                 const Look &look) {
-    if (!values.empty())
-      one.curves.push_back(curve(written(Points(values.begin(), values.end()), base.string() + name), look));
+                 .settings = "set key left top reverse Left; set grid; set xrange " + range_of(places) +
+                             "; set yrange " + range_of(velocities)};
+  const auto add = [&](const std::vector<draw::Curve> &curves) {
+    one.curves.insert(one.curves.end(), curves.begin(), curves.end());
   };
-  add_published(tests, "_tests.csv", measured);
-  add_published(paper, "_paper.csv",
-                {"paper, MJC: strike velocity close to its limit (Fig. 10)",
-                 "points linecolor rgb '#b9770e' pointtype 4 pointsize 1"});
+  if (!tests.empty()) add(curve_with_bars(tests, base + "_tests.csv", measured));
+  if (!paper.empty())
+    add({curve(written(Points(paper.begin(), paper.end()), base + "_paper.csv"),
+               {"paper, MJC: strike velocity close to its limit (Fig. 10)",
+                "points linecolor rgb '#b9770e' pointtype 4 pointsize 1"})});
   std::size_t place = 0;
   for (const auto &[key, estimates] : computed) {
-    std::string csv = "x,y,half_width\n";
-    for (const auto &[x, estimate] : estimates)
-      csv += options::joined(std::array{x, estimate.limit, estimate.half_width}, ",") + "\n";
-    const Look look = look_of(key, own, place);
-    const fs::path file = written(csv, base.string() + "_" + file_part(key, own, place) + ".csv");
-    one.curves.push_back(
-        {draw::gnuplot_columns(file, "1:2:3"), "yerrorbars linecolor rgb '" + look.colour + "' pointtype 0"});
-    one.curves.push_back(curve(file, look));
+    add(curve_with_bars(estimates, base + "_" + file_part(key, own, place) + ".csv", look_of(key, own, place)));
     ++place;
   }
   draw_both(commands_of(one), out, plot.name, {900, 600});

@@ -20,7 +20,7 @@ bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const s
                     const Texts &own_columns, const std::filesystem::path &out, bool with_fit = false);
 
 /// Limits against thickness, or against the first other number that varies, each with a bar over what lies between the
-/// shots that bracket it. False if no limit is known. Throws WriteError.
+/// shots that bracket it, as measured ones have. False if no limit is known. Throws WriteError.
 bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const Texts &own_columns,
                  const std::filesystem::path &out);
 
