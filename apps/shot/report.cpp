@@ -110,6 +110,7 @@ void add_shape(nlohmann::ordered_json &j, const ogive::PlateShape<double> &shape
   j["kept_fraction"] = shape.kept_fraction;
   j["petal_height_mm"] = shape.petal_height * 1e3;
   j["petals"] = shape.petals;
+  j["hole_diameter_mm"] = shape.hole_diameter * 1e3;
   j["band_temperature_K"] = shape.band_temperature;
   j["core_temperature_K"] = shape.core_temperature;
   j["most_temperature_K"] = shape.most_temperature;

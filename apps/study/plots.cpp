@@ -56,6 +56,8 @@ Look look_of(const Key &key, const Texts &own, std::size_t place) {
 }
 
 const Look measured{"test", "points linecolor rgb 'black' pointtype 7 pointsize 0.9", "black"};
+const Look of_paper{"paper, MJC: strike velocity close to its limit (Fig. 10)",
+                    "points linecolor rgb '#b9770e' pointtype 4 pointsize 1"};
 
 /// The name of a series' files: "paper_mjc", with a number where the study has columns of its own.
 std::string file_part(const Key &key, const Texts &own, std::size_t place) {
@@ -172,6 +174,8 @@ bool draw_residuals(const Plot &plot, const std::vector<Series> &series, const s
       Points tests;
       for (const auto &shot : experiment::find_shots(specimen)) tests.emplace_back(shot.initial_mps, shot.residual_mps);
       if (!tests.empty()) add(tests, "tests", measured);
+      if (const auto v = published.paper_velocity_mps)
+        add({{*v, 0}}, "paper", {"paper, MJC: near its limit", of_paper.style});
     }
     for (std::size_t k = 0; k < members.size(); ++k) {
       const Key &key = members[k]->key;
@@ -222,10 +226,7 @@ bool draw_limits(const Plot &plot, const std::vector<LimitRow> &limits, const Te
     one.curves.insert(one.curves.end(), curves.begin(), curves.end());
   };
   if (!tests.empty()) add(curve_with_bars(tests, base + "_tests.csv", measured));
-  if (!paper.empty())
-    add({curve(written(Points(paper.begin(), paper.end()), base + "_paper.csv"),
-               {"paper, MJC: strike velocity close to its limit (Fig. 10)",
-                "points linecolor rgb '#b9770e' pointtype 4 pointsize 1"})});
+  if (!paper.empty()) add({curve(written(Points(paper.begin(), paper.end()), base + "_paper.csv"), of_paper)});
   std::size_t place = 0;
   for (const auto &[key, estimates] : computed) {
     add(curve_with_bars(estimates, base + "_" + file_part(key, own, place) + ".csv", look_of(key, own, place)));

@@ -43,9 +43,9 @@ class Shot:
 
 
 def times(shots, wanted):
-    """Those times that all the series have frames for."""
+    """Those times that lie well before the last frames of all the series."""
     last = min(shot.last_us() for shot in shots)
-    return [time for time in wanted if time <= last]
+    return [time for time in wanted if time < 0.95 * last]
 
 
 class Campaign:
@@ -119,20 +119,20 @@ class Campaign:
             return Shot(self.figures, method, material, nose, thickness, velocity, distance)
 
         def at(shots, wanted):
-            return ["--times-us", ",".join(map(str, times(shots, wanted)))]
+            return ["--times-us", ",".join([*map(str, times(shots, wanted)), "last"])]
 
         steel_10, steel_6 = shot("weldox_460e", "blunt", 10, 180), shot("weldox_460e", "blunt", 6, 160)
         if steel_10.is_there(f"7{suffix}"):
             title = ["--title", f"Fig. 7: 10 mm Weldox 460 E, blunt, 180 m/s{text}"]
-            options = [*at([steel_10], (0, 10, 20, 40, 60, 100, 150, 220)), *title]
+            options = [*at([steel_10], (0, 10, 20, 40, 60, 100, 150)), *title]
             self.draw(f"7{suffix}", [steel_10], *options)
             self.draw(f"7_temperature{suffix}", [steel_10], "--colour", "temperature", *options)
             self.film(f"7{suffix}", steel_10, *title)
         if all([steel_6.is_there(f"8{suffix}"), steel_10.is_there(f"8{suffix}")]):
-            both, frames = [steel_6, steel_10], times([steel_6, steel_10], (0, 15, 30, 60, 125))
-            labels = [f"{plate}, {time} µs, {round(one.velocity_mps(time))} m/s"
-                      for plate, one in (("(a) 6 mm", steel_6), ("(b) 10 mm", steel_10)) for time in frames]
-            self.draw(f"8{suffix}", both, *at(both, frames), "--label", *labels, "--columns", len(frames), "--title",
+            both, frames = [steel_6, steel_10], times([steel_6, steel_10], (0, 15, 30, 60, 100))
+            labels = [f"{plate}, {round(time)} µs, {round(one.velocity_mps(time))} m/s"
+                      for plate, one in (("(a) 6 mm", steel_6), ("(b) 10 mm", steel_10)) for time in (*frames, one.last_us())]
+            self.draw(f"8{suffix}", both, *at(both, frames), "--label", *labels, "--columns", len(frames) + 1, "--title",
                       f"Fig. 8: Weldox 460 E, blunt: (a) 6 mm, 160 m/s; (b) 10 mm, 180 m/s{text}")
         sections = [shot("weldox_460e", "blunt", *pair)
                     for pair in ((6, 110), (8, 135), (10, 160), (12, 195), (16, 240), (20, 310))]
@@ -140,10 +140,14 @@ class Campaign:
             labels = [f"{s.thickness} mm, {s.velocity} to {round(s.velocity_mps(s.last_us()))} m/s" for s in sections]
             self.draw(f"10{suffix}", sections, "--label", *labels, "--columns", 3, "--times-us", "last", "--title",
                       f"Fig. 10: Weldox 460 E, blunt, last frame{text}")
+            self.draw(f"10_plates{suffix}", sections, "--label", *labels, "--columns", 1, "--times-us", "last",
+                      "--view-mm=-45,25,255", "--title", f"Fig. 10: whole plates{text}")
         aluminium = shot("aa5083_h116", "conical", 15, 214)
         if aluminium.is_there(f"14{suffix}"):
             title = ["--title", f"Fig. 14: 15 mm AA5083-H116, conical, 214 m/s{text}"]
-            self.draw(f"14{suffix}", [aluminium], *at([aluminium], (0, 40, 80, 120, 160, 200, 280, 360)), *title)
+            self.draw(f"14{suffix}", [aluminium], *at([aluminium], (0, 40, 80, 120, 200, 360, 600)),
+                      "--view-mm=-60,22,28", *title)
+            self.draw(f"14_behind{suffix}", [aluminium], "--from", "behind", *title)
             self.film(f"14{suffix}", aluminium, *title)
 
 

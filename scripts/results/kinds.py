@@ -109,9 +109,10 @@ def perforating_velocities(check):
 
 def shot_value(check):
     quantity, per, less, factor = check.value("quantity", str), check.value("per"), check.value("less") or 0, check.factor()
+    minus = check.value("minus")
     for plate in check.plates():
         row = check.shot(*plate)
-        value = check.column(row, quantity) - less
+        value = check.column(row, quantity) - less - (check.column(row, minus) if minus else 0)
         if per:
             below = check.column(row, per) - less
             value = value / below if below > 0 else math.inf
@@ -189,7 +190,7 @@ KINDS = {
     "limits_differ": (limits_differ, ("percent",), PLATE, ("widest_bracket_mps",)),
     "every_row": (every_row, None, ("quantity",), ("per",)),
     "perforating_velocities": (perforating_velocities, ("",), (*PLATE, "up_to_velocity_mps"), ()),
-    "shot_value": (shot_value, None, (*PLATE, "quantity"), ("per", "less", "velocity_mps")),
+    "shot_value": (shot_value, None, (*PLATE, "quantity"), ("per", "less", "minus", "velocity_mps")),
     "shots_compared": (shots_compared, None, ("metal", "nose", "quantity", "larger_at_mm", "smaller_at_mm"), ()),
     "particle_count": (particle_count, ("percent",), (*PLATE, "disc_radius_mm"), ()),
     "projectile_mass": (projectile_mass, ("percent",), ("nose", "mass_g"), ()),

@@ -95,18 +95,6 @@ def open_tests():
             for test in runs.texts(ROOT / "apps" / "data" / "v50_open.csv")}
 
 
-def open_limits(sweeps):
-    """Limits beside tests with other projectiles and metals than the paper's, and those of cavity expansion."""
-    rows, tests = [], open_tests()
-    for case, row in (found for sweep in sweeps for found in runs.limit_rows(sweep)):
-        test, formula = float(tests[case["text"]]["V50_mps"]), cavity.limit_mps(tests[case["text"]])
-        rows.append([case["text"], case["spacing_mm"], f"{test:.0f}", row["bisection_limit_mps"],
-                     percent(float(row["bisection_limit_mps"]), test), f"{formula:.0f}" if formula else "–",
-                     percent(formula, test)])
-    return rows and markdown_table(["projectile and plate", "particle distance, mm", "test, m/s", "computed, m/s", "error",
-                                    "cavity expansion, m/s", "error of it"], rows)
-
-
 def scale(sweeps):
     """Limits of the same geometry in several sizes."""
     found = runs.limits(sweeps[0])
@@ -115,11 +103,3 @@ def scale(sweeps):
         [[case["text"], case["thickness_mm"], case["diameter_mm"], case["spacing_mm"],
           f"{found[case['name']]:.1f}" if case["name"] in found else "–",
           percent(found.get(case["name"]), found.get("equal"))] for case in runs.cases(sweeps[0])])
-
-
-def sharp_limits(sweeps):
-    """Limits of sharp noses beside the tests."""
-    return markdown_table(["nose and plate", "test, m/s", "computed, m/s", "error"], [
-        [case["text"], f"{test:.1f}", row["bisection_limit_mps"], percent(float(row["bisection_limit_mps"]), test)]
-        for case, row in runs.limit_rows(sweeps[0])
-        for test in [Tests().limit_mps(metal_of(row["material"]), row["nose"], float(row["thickness_mm"]))]])

@@ -27,9 +27,9 @@ WIDTH_MPS = 5  # of a bracket at the end of a search, the default of ogive sweep
 # Of summary.json: what tables show.
 SHOWN_KEYS = (
     "version", "initial_velocity_mps", "obliquity_deg", "residual_velocity_mps", "final_speed_mps", "deflection_deg", "turn_deg",
-    "test_residual_velocity_mps", "test_origin", "velocity_at_shoulder_mps", "plug_mass_g", "failed_particles", "dishing_mm",
-    "dishing_at_rest_mm", "hourglass_fraction", "energy_error", "momentum_error", "largest_intrusion_mm", "steps", "cpu_s",
-    "state_hash")
+    "test_residual_velocity_mps", "test_origin", "velocity_at_shoulder_mps", "plug_mass_g", "hole_diameter_mm",
+    "failed_particles", "dishing_mm", "dishing_at_rest_mm", "hourglass_fraction", "energy_error", "momentum_error",
+    "largest_intrusion_mm", "steps", "cpu_s", "state_hash")
 PATHS = {"material"}  # columns whose values may be paths
 
 

@@ -99,6 +99,7 @@ TEST_CASE("the plate's shape tells a plug from a bulge", "[perforation]") {
   CHECK(whole.plug_thickness == 0);
   CHECK(whole.dishing == 0);
   CHECK(whole.kept_fraction == Approx(1));
+  CHECK(whole.hole_diameter == 0);
   CHECK(whole.petal_height == Approx(0).margin(1e-12)); // the rear layer lies half a particle distance inside
   CHECK(whole.band_temperature == Approx(293));
 
@@ -113,6 +114,7 @@ TEST_CASE("the plate's shape tells a plug from a bulge", "[perforation]") {
   CHECK(plugged.plug_thickness == Approx(0.9 * 5e-3 + 1e-3).epsilon(1e-6));
   CHECK(plugged.dishing == Approx(0.4e-3).epsilon(1e-6));
   CHECK(plugged.kept_fraction == 0);
+  CHECK(plugged.hole_diameter == Approx(20e-3).margin(1e-3)); // to a particle distance
   CHECK(plugged.petal_height == Approx(0.4e-3).epsilon(1e-6));
   CHECK(plugged.band_temperature == Approx(900));
   CHECK(plugged.core_temperature == Approx(350));

@@ -49,22 +49,25 @@ class Figures(unittest.TestCase):
         self.assertEqual([Path(command[0]).name for command in drawn], [
             "figure_7_stabilised.png", "figure_7_temperature_stabilised.png", "figure_7_stabilised.webm",
             "figure_8_stabilised.png"])
-        self.assertEqual(drawn[0][2:7], ["draw", "--series", str(thick), "--times-us", "0,10,20,40"])
+        self.assertEqual(drawn[0][2:7], ["draw", "--series", str(thick), "--times-us", "0,10,20,last"])
         self.assertEqual(drawn[2][2:6], ["draw", "--series", str(thick), "--title"])
         self.assertEqual(drawn[2][7:8], ["--animate"])
-        self.assertEqual(drawn[3][2:13], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,30", "--label",
+        self.assertEqual(drawn[3][2:13], ["draw", "--series", str(thin), str(thick), "--times-us", "0,15,last", "--label",
                                           "(a) 6 mm, 0 µs, 180 m/s", "(a) 6 mm, 15 µs, 180 m/s", "(a) 6 mm, 30 µs, 150 m/s",
                                           "(b) 10 mm, 0 µs, 180 m/s"])
+        self.assertIn("(b) 10 mm, 42 µs, 138 m/s", drawn[3])  # 41.5 µs, of its own last frame
         self.assertIn("figure 14_stabilised is left out: no shot with frames", said.getvalue())
 
     def test_a_picture_newer_than_its_series_stays(self):
         self.leave("paper_mjc_aa5083_h116_conical_15mm_214mps_0.6mm", 0, 400)
-        picture = self.folder / "figure_14.png"
-        picture.touch()
+        pictures = [self.folder / f"figure_{name}.png" for name in ("14", "14_behind")]
+        for picture in pictures:
+            picture.touch()
         self.find_ffmpeg(None)
-        for age, commands in ((-100, 1), (100, 1)):
+        for age, commands in ((-100, 2), (100, 2)):
             series = (self.folder / "shots/paper_mjc_aa5083_h116_conical_15mm_214mps_0.6mm/perforation.pvd").stat().st_mtime
-            os.utime(picture, (series + age, series + age))
+            for picture in pictures:
+                os.utime(picture, (series + age, series + age))
             with contextlib.redirect_stdout(io.StringIO()):
                 self.campaign.pictures("paper")
             self.assertEqual(len(self.commands), commands)

@@ -157,8 +157,6 @@ class Tables(unittest.TestCase):
         drawn = picture.read_text()
         self.assertIn("20 mm fragment simulator, 12.7 mm AA6061-T651", drawn)
         self.assertNotIn("APM2", drawn)  # of which there is no limit
-        self.assertEqual(self.table("open")[-1], "| 20 mm FSP at 12.7 mm AA6061-T651 | 1 | 218 | 204.9 | -6.0 % | – | – |")
-        self.assertEqual(self.table("sharp")[-1], "| conical, 15 mm AA5083-H116 | 216.8 | 211.5 | -2.4 % |")
 
     def test_no_shot_is_an_error(self):
         done = run("tables", "no_such_table")
@@ -191,7 +189,7 @@ class Tables(unittest.TestCase):
         program.write_text('#!/bin/sh\nwhile [ "$1" != --out ]; do shift; done\n[ -f "$2/shots.csv" ] || echo version > '
                            '"$2/shots.csv"\necho 1.2.3 >> "$2/shots.csv"\ncp "$2/shots.csv" "$2/limits.csv"\n')
         program.chmod(0o755)
-        limit, = tables.TABLES["sharp"][1][0].sweeps
+        limit = tables.SHARP
         shot = tables.TABLES["measured"][1][0].sweeps[0]
         (self.folder / limit.folder).mkdir()
         (self.folder / shot.folder).mkdir()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -18,6 +19,7 @@ template <class T> struct PlateShape {
   T kept_fraction{};    ///< of the mass in the projectile's way (radius < R) that still hangs on the plate
   T petal_height{};     ///< m, how far what hangs on the plate reaches beyond its undeformed rear face
   int petals = 0;       ///< around the hole of the whole model, see count_petals()
+  T hole_diameter{};    ///< m, see hole_diameter_of()
   T band_temperature{}; ///< K, mean within one particle distance of the radius R
   T core_temperature{}; ///< K, mean within R/2
   T most_temperature{}; ///< K, of the hottest particle
@@ -62,27 +64,59 @@ template <class T> int count_petals(const std::vector<T> &rim) {
   return changes / 2;
 }
 
+namespace shape_detail {
+
+/// Number of equal angles of the whole circle that are as wide as two particle distances (m) at `radius` (m).
+template <class T> std::size_t angles_at(T radius, T spacing) {
+  return 4 * static_cast<std::size_t>(std::max(T(2), std::floor(std::numbers::pi_v<T> / T(4) * radius / spacing)));
+}
+
+/// Calls visit(k) with the angle, of `count` equal ones of the whole circle, of a particle at p (m) and of its images.
+template <class M, class T, class Visit>
+void for_angles(const M &model, const Vec3<T> &p, std::size_t count, Visit &&visit) {
+  const T angle = T(2) * std::numbers::pi_v<T> / static_cast<T>(count);
+  for (const T x : {T(1), T(-1)})
+    for (const T y : {T(1), T(-1)}) {
+      if ((x < T(0) && !model.symmetry.x) || (y < T(0) && !model.symmetry.y)) continue;
+      const T turned = std::atan2(y * p[1], x * p[0]);
+      const T positive = turned < T(0) ? turned + T(2) * std::numbers::pi_v<T> : turned;
+      visit(std::min(static_cast<std::size_t>(positive / angle), count - 1));
+    }
+}
+
+} // namespace shape_detail
+
 /// Mass of the particles of a plate by their angle about its axis, kg, for equal angles of the whole circle that are as
 /// wide as two particle distances at `radius` (m). `mass_of(i)` is that of particle i which counts, kg.
 template <class M, class T, class MassOf>
 std::vector<T> mass_by_angle(const M &model, T radius, MassOf &&mass_of, std::size_t layer = 0) {
   const auto &body = plate_particles(model, layer);
-  const T quarter = std::numbers::pi_v<T> / T(4) * radius / body.spacing;
-  std::vector<T> sums(4 * static_cast<std::size_t>(std::max(T(2), std::floor(quarter))), T(0));
-  const T angle = T(2) * std::numbers::pi_v<T> / static_cast<T>(sums.size());
-  for (Index i = 0; i < body.points.size(); ++i) {
-    const T mass = mass_of(i);
-    if (!(mass > T(0))) continue;
-    const Vec3<T> &p = model.nodes.position[body.nodes.begin + i];
-    for (const T x : {T(1), T(-1)})
-      for (const T y : {T(1), T(-1)}) {
-        if ((x < T(0) && !model.symmetry.x) || (y < T(0) && !model.symmetry.y)) continue;
-        const T turned = std::atan2(y * p[1], x * p[0]);
-        const T positive = turned < T(0) ? turned + T(2) * std::numbers::pi_v<T> : turned;
-        sums[std::min(static_cast<std::size_t>(positive / angle), sums.size() - 1)] += mass;
-      }
-  }
+  std::vector<T> sums(shape_detail::angles_at(radius, body.spacing), T(0));
+  for (Index i = 0; i < body.points.size(); ++i)
+    if (const T mass = mass_of(i); mass > T(0))
+      shape_detail::for_angles(model, model.nodes.position[body.nodes.begin + i], sums.size(),
+                               [&](std::size_t k) { sums[k] += mass; });
   return sums;
+}
+
+/// Mean diameter of the hole in a plate, m: over equal angles as wide as two particle distances at `radius` (m), of
+/// what lies nearest to the axis there, at any depth. `hangs(i)`: whether particle i belongs to the plate; what lies
+/// within two particle distances of the axis closes the hole, which then is 0.
+template <class M, class T, class Hangs>
+T hole_diameter_of(const M &model, T radius, Hangs &&hangs, std::size_t layer = 0) {
+  const auto &body = plate_particles(model, layer);
+  std::vector<T> nearest(shape_detail::angles_at(radius, body.spacing), std::numeric_limits<T>::infinity());
+  for (Index i = 0; i < body.points.size(); ++i) {
+    if (!hangs(i)) continue;
+    const Vec3<T> &p = model.nodes.position[body.nodes.begin + i];
+    const T r = std::hypot(p[0], p[1]);
+    if (r < T(2) * body.spacing) return T(0);
+    shape_detail::for_angles(model, p, nearest.size(), [&](std::size_t k) { nearest[k] = std::min(nearest[k], r); });
+  }
+  T sum{}, count{};
+  for (const T r : nearest)
+    if (std::isfinite(r)) sum += T(2) * r - body.spacing, count += T(1);
+  return count > T(0) ? sum / count : T(0);
 }
 
 /// A plate's shape now, from its particles and their undeformed positions (m), for a projectile of this radius (m) and
@@ -122,6 +156,8 @@ PlateShape<T> plate_shape(const M &model, const std::vector<Vec3<T>> &undeformed
   // Cracks between petals are seen above half of their height, and where the metal is now.
   const auto of_rim = [&](Index i) { return reach[i] > shape.petal_height / T(2) ? body.point_mass[i] : T(0); };
   if (shape.petal_height > T(2) * spacing) shape.petals = count_petals(mass_by_angle(model, radius, of_rim, layer));
+  shape.hole_diameter = hole_diameter_of(
+      model, radius, [&](Index i) { return pieces.hangs(i); }, layer);
   shape.band_temperature = band.value();
   shape.core_temperature = core.value();
   return shape;
