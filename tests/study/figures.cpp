@@ -31,7 +31,8 @@ TEST_CASE("The list has the shots of a program, figure and law") {
   CHECK(std::all_of(all.begin(), all.end(),
                     [](const FigureShot &s) { return s.shot.key.values[method_column] == "paper"; }));
   CHECK(listed_shots(noses, {}).size() == 36);
-  CHECK(listed_shots(aluminium, {}).size() == 49);
+  CHECK(listed_shots(aluminium, {}).size() == 50);
+  CHECK(listed_shots(aluminium, options_for(0, "jc")).size() == 25); // one more at 25 mm, where its limit is higher
   CHECK(listed_shots(steel, options_for(0, "jc")).size() == 36);
   CHECK(listed_shots(steel, options_for(6)).size() == 72);
 
