@@ -147,7 +147,7 @@ class Campaign:
             title = ["--title", f"Fig. 14: 15 mm AA5083-H116, conical, 214 m/s{text}"]
             self.draw(f"14{suffix}", [aluminium], *at([aluminium], (0, 40, 80, 120, 200, 360, 600)),
                       "--view-mm=-60,22,28", *title)
-            self.draw(f"14_behind{suffix}", [aluminium], "--from", "behind", *title)
+            self.draw(f"14_behind{suffix}", [aluminium], "--from", "behind", "--pixels", 900, *title)
             self.film(f"14{suffix}", aluminium, *title)
 
 
