@@ -223,7 +223,17 @@ Outcome find_limits(const Study &study, const std::vector<Series> &series, doubl
     }
     return std::nullopt;
   };
-  add(all, run_chosen(study, own.size(), next, report));
+  for (bool waiting = true; waiting && all.stopped_by == 0;) {
+    add(all, run_chosen(study, own.size(), next, report));
+    // Those that waited for an arrangement whose shot has failed are searched without its limit.
+    const auto rows = read_all_rows(study.out, study.own_columns);
+    waiting = false;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const std::size_t j = first[k];
+      if (j == k || last[k] || ended[k] || ended[j] || !last[j] || find_row(rows, *last[j]) != nullptr) continue;
+      waiting = ended[j] = true;
+    }
+  }
   return all;
 }
 

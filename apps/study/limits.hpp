@@ -79,8 +79,7 @@ Case with_more_time(Case shot, const Row &row);
 /// Bisects the limits of all series, those of different series at the same time. A series ends with a shot that fails
 /// and is left out if its rows are of another case. Its shots that are there before count as known; one that the
 /// default time has left undecided gets more, see with_more_time(). Series that differ in the arrangement of the
-/// particles alone wait for the first of them, begin beside its limit, and are left out if a shot of it fails. Throws
-/// as run_cases().
+/// particles alone wait for the first of them and begin beside its limit, if it has one. Throws as run_cases().
 Outcome find_limits(const Study &study, const std::vector<Series> &series, double width_mps, const Report &report);
 
 /// The limits that rows give.

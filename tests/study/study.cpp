@@ -294,6 +294,28 @@ TEST_CASE("The search with another arrangement of the particles begins beside th
   CHECK_FALSE(next_velocity(other, read_all_rows(study.out, columns), 4).has_value());
 }
 
+TEST_CASE("Other arrangements of the particles are searched, too, where a shot of the first fails") {
+  const SmallStudy small(2);
+  const Texts columns{"seed"};
+  Study study = small.study;
+  study.own_columns = columns;
+  const auto arranged = [&](const std::string &seed) {
+    return series_of(case_of(small_case(200, {{"end_us", "3000"}, {"seed", seed}}).options, columns, ""));
+  };
+  Series broken = arranged("0");
+  broken.options.sph_radius_mm = 3;
+  const Series sound = arranged("1");
+  fs::create_directories(study.out);
+  for (const double v : {100.0, 112.0})
+    append_row(rows_file(study), sample_row(shot_of(sound, v, columns).key, 105), columns);
+  const Outcome outcome = find_limits(study, {broken, sound}, 4, [](const std::string &) {});
+  CHECK(outcome.failed.size() == 1);
+  CHECK(outcome.run >= 2);
+  CHECK_FALSE(next_velocity(sound, read_all_rows(study.out, columns), 4).has_value());
+  // Once more, with nothing left to search but what fails.
+  CHECK(find_limits(study, {broken, sound}, 4, [](const std::string &) {}).failed.size() == 1);
+}
+
 TEST_CASE("One process has a study, or one each of its shards") {
   const TemporaryFolder folder;
   const auto refused = [&](int shard, int shards) {
